@@ -1,0 +1,2 @@
+//! The program `pulsetrain`.
+fn main() {}

@@ -1,0 +1,51 @@
+//! What a controller is soldered to: the one door through which it acts on the world.
+//!
+//! The simulator's machine stands behind it, and so does a microcontroller's pins. A controller never
+//! waits, reads a clock or opens a file: time, bytes and changes of inputs come in through
+//! [`Controller`](crate::Controller), everything else goes out and is sampled here.
+
+use motion::Train;
+
+/// A port that takes and gives bytes. Each controller lists the ports it has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Port {
+    /// USB: point to point, addresses do not count.
+    Usb,
+    /// RS-485: a bus shared with others.
+    Rs485,
+    /// CAN; bytes are whole frames in the form of `protocol::can`.
+    Can,
+}
+
+/// What the driver stage does with the pulses of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Drive {
+    /// How far the magnetic field turns a pulse, in 1/256 of a full step; negative if it is reversed.
+    pub step: i16,
+    /// Coil current in 1/32 of the module's maximum: 0 (the motor turns freely) to 32.
+    pub current: u8,
+}
+
+/// The far side of a controller's pins.
+pub trait Board {
+    /// These pulses left the axis. Trains of one axis come in order of time and do not overlap.
+    fn pulses(&mut self, axis: usize, train: &Train);
+
+    /// The driver stage of the axis changes.
+    fn drive(&mut self, axis: usize, drive: Drive);
+
+    /// Bytes leave through a port. `delay_ms` is the pause that the controller was told to keep first.
+    fn send(&mut self, port: Port, bytes: &[u8], delay_ms: u32);
+
+    /// An output pin changes; numbers as in [`Controller::pins`](crate::Controller::pins).
+    fn output(&mut self, pin: usize, on: bool);
+
+    /// The counter of an encoder's decoder, as it stands now.
+    fn encoder(&mut self, channel: usize) -> i32;
+
+    /// The load on the shaft now, in 1/1000 of the motor's pull-out torque at full current.
+    fn load(&mut self, axis: usize) -> u16;
+
+    /// An analog quantity now, in the unit of the pin.
+    fn analog(&mut self, pin: usize) -> i32;
+}

@@ -1,0 +1,142 @@
+//! What every controller is, seen from outside: a state machine that is told the time.
+
+use crate::board::{Board, Port};
+use motion::Ticks;
+
+/// The state of one axis, for views and recordings.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AxisState {
+    /// Position counter, in pulses.
+    pub position: i32,
+    /// Position as the encoder of the axis says, in the unit that its register has.
+    pub encoder: i32,
+    /// Speed in thousandths of a pulse a second, with its sign.
+    pub speed_mpps: i64,
+    /// Where the axis is going, in pulses.
+    pub target: i32,
+    /// The axis' status word, as the device defines it.
+    pub status: u32,
+    /// All pulses put out since power-up, in both directions.
+    pub steps: u64,
+}
+
+/// The state of one standalone program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProgramState {
+    /// What it is doing.
+    pub run: ProgramRun,
+    /// Where it is: line or address.
+    pub counter: u32,
+    /// How many instructions it has executed since power-up.
+    pub instructions: u64,
+}
+
+/// What a standalone program is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ProgramRun {
+    /// It has not been started, or has ended.
+    Idle,
+    /// It is running.
+    Running,
+    /// It was paused, or executes single steps.
+    Paused,
+    /// It was stopped by an error.
+    Error,
+}
+
+/// What kind of pin it is, seen from the controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PinKind {
+    /// On or off, driven from outside.
+    Input,
+    /// On or off, driven by the controller.
+    Output,
+    /// A number, driven from outside.
+    Analog,
+    /// The null or index channel of the encoder with this number.
+    Index(usize),
+}
+
+/// Which part of a machine a pin usually hangs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Wiring {
+    /// Nothing in particular.
+    Free,
+    /// The switch at the negative end of the axis.
+    NegativeLimit(usize),
+    /// The switch at the positive end of the axis.
+    PositiveLimit(usize),
+    /// The home switch of the axis.
+    Home(usize),
+    /// The index mark of the axis' encoder.
+    Index(usize),
+    /// The motor supply, in the pin's unit.
+    Supply,
+    /// The temperature of the driver, in the pin's unit.
+    Temperature,
+}
+
+/// One pin of a controller.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pin {
+    /// Its name in the manual.
+    pub name: &'static str,
+    /// Direction and kind.
+    pub kind: PinKind,
+    /// Where it goes.
+    pub wiring: Wiring,
+    /// What an analog pin's number means, for people: `mV`, `°C`.
+    pub unit: &'static str,
+    /// The level of the pin when nothing drives it: 0 or 1, or the analog value.
+    pub rest: i32,
+}
+
+/// A controller.
+///
+/// Time only moves forward, by [`advance`](Self::advance); the other calls happen at the time of the
+/// last one. After any call [`wake`](Self::wake) may have changed.
+pub trait Controller {
+    /// Clocks a second.
+    fn clock_hz(&self) -> u32;
+
+    /// Names of the axes.
+    fn axes(&self) -> &'static [&'static str];
+
+    /// The pins; their index is their number everywhere.
+    fn pins(&self) -> &'static [Pin];
+
+    /// Whether a change of this input matters now. An index mark that nobody looks at need not
+    /// interrupt a cruise.
+    fn watches(&self, pin: usize) -> bool;
+
+    /// Lets time pass until the end of clock `now`: gives out the pulses made until then, runs programs,
+    /// and does what was due. Never call it with an earlier time.
+    fn advance(&mut self, now: Ticks, board: &mut dyn Board);
+
+    /// The clock at which something will happen by itself, or at which an axis reaches the edge of its
+    /// [`window`](Self::set_window); [`Ticks::MAX`] if nothing will.
+    fn wake(&self) -> Ticks;
+
+    /// Bytes arrive at a port.
+    fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board);
+
+    /// An input pin changes, or an index mark passes (`on` when it is entered).
+    fn input(&mut self, pin: usize, on: bool, board: &mut dyn Board);
+
+    /// An analog input changed; the value is read from the board. Only for pins that the controller
+    /// compares with thresholds, as the supply.
+    fn analog_changed(&mut self, pin: usize, board: &mut dyn Board);
+
+    /// Nothing outside changes while the axis' odometer (net pulses since power-up) stays strictly
+    /// between `low` and `high`; the controller wakes when it arrives at one of them.
+    fn set_window(&mut self, axis: usize, low: i64, high: i64);
+
+    /// The axis' odometer: net pulses put out since power-up. Unlike the position it is never set.
+    fn odometer(&self, axis: usize) -> i64;
+
+    /// What an axis is doing.
+    fn axis(&self, axis: usize, board: &mut dyn Board) -> AxisState;
+
+    /// What a program is doing; `None` past the last.
+    fn program(&self, index: usize) -> Option<ProgramState>;
+}

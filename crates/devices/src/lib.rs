@@ -1,0 +1,12 @@
+//! The controllers: command and parameter tables, status words, settings, and the glue between the
+//! wire, the programs and the axes.
+//!
+//! A controller is a state machine ([`Controller`]) that acts through a [`Board`]. It does not know
+//! sockets, files, threads, or the machine behind its pins.
+#![cfg_attr(not(test), no_std)]
+
+pub mod board;
+pub mod controller;
+
+pub use board::{Board, Drive, Port};
+pub use controller::{AxisState, Controller, Pin, PinKind, ProgramRun, ProgramState, Wiring};

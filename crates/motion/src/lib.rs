@@ -1,0 +1,11 @@
+//! The motion kernel: from a target and its limits to pulse trains.
+//!
+//! This room knows axes, ramps and pulses. It does not know bytes, commands, devices or the wall clock:
+//! whoever holds an axis tells it the time. Everything is integer arithmetic, without allocation and
+//! without `unsafe`, so that the same code steps a motor from a microcontroller's timer and a virtual
+//! one at a thousand times real time.
+#![cfg_attr(not(test), no_std)]
+
+pub mod train;
+
+pub use train::{Direction, Moment, SubTicks, Ticks, Train};

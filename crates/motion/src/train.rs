@@ -1,0 +1,283 @@
+//! The pulse train: what the kernel gives out instead of single pulses.
+//!
+//! A train is a run of pulses in one direction whose spacing changes smoothly: a third-order polynomial
+//! in the number of the pulse. A cruise is one train however long it is; a ramp is a few dozen. Whoever
+//! needs single edges expands the train with three additions an edge.
+//!
+//! Times count the controller's clock from power-up. Spacings have 32 bits of fraction of one clock, so
+//! that rounding does not add up: an edge happens at the clock in which its exact time lies.
+
+/// A time or a span in clocks of the controller, from power-up.
+pub type Ticks = u64;
+
+/// Clocks with 32 bits of fraction: the unit of spacings inside a train.
+pub type SubTicks = u64;
+
+/// Bits of fraction in [`SubTicks`].
+pub const FRACTION_BITS: u32 = 32;
+
+/// No train lasts this many clocks or more, so that offsets inside it fit [`SubTicks`].
+pub const MAX_DURATION: Ticks = 1 << 31;
+
+/// Which way the position counter moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// The counter falls.
+    Negative,
+    /// The counter rises.
+    Positive,
+}
+
+impl Direction {
+    /// −1 or +1.
+    pub const fn sign(self) -> i64 {
+        match self {
+            Self::Negative => -1,
+            Self::Positive => 1,
+        }
+    }
+
+    /// The direction that takes a counter over `distance`; positive for 0.
+    pub const fn of(distance: i64) -> Self {
+        if distance < 0 { Self::Negative } else { Self::Positive }
+    }
+
+    /// The other one.
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::Negative => Self::Positive,
+            Self::Positive => Self::Negative,
+        }
+    }
+}
+
+/// A moment with its fraction of a clock.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Moment {
+    /// Whole clocks.
+    pub ticks: Ticks,
+    /// Fraction of a clock in 2⁻³².
+    pub fraction: u32,
+}
+
+impl Moment {
+    /// The beginning of a clock.
+    pub const fn at(ticks: Ticks) -> Self {
+        Self { ticks, fraction: 0 }
+    }
+
+    /// The moment `span` later.
+    pub const fn after(self, span: SubTicks) -> Self {
+        let (fraction, carry) = self.fraction.overflowing_add(span as u32);
+        Self { ticks: self.ticks + (span >> FRACTION_BITS) + carry as u64, fraction }
+    }
+
+    /// The span from `earlier` to this moment, if it is one and fits.
+    pub const fn since(self, earlier: Self) -> Option<SubTicks> {
+        let whole = self.ticks.wrapping_sub(earlier.ticks);
+        let span = ((whole as u128) << FRACTION_BITS) + self.fraction as u128;
+        match span.checked_sub(earlier.fraction as u128) {
+            Some(span) if self.ticks >= earlier.ticks && span <= u64::MAX as u128 => Some(span as u64),
+            _ => None,
+        }
+    }
+}
+
+/// A run of pulses in one direction.
+///
+/// Pulse `k` (1 to `count`) happens `k·interval + C(k,2)·add + C(k,3)·jerk` after `start`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Train {
+    /// The moment from which the first spacing counts.
+    pub start: Moment,
+    /// From `start` to the first pulse.
+    pub interval: SubTicks,
+    /// How much the second spacing is longer than the first.
+    pub add: i64,
+    /// How much `add` grows from one spacing to the next.
+    pub jerk: i64,
+    /// How many pulses.
+    pub count: u32,
+    /// Which way.
+    pub direction: Direction,
+}
+
+impl Train {
+    /// From `start` to pulse `k`; 0 for `k` = 0.
+    #[inline]
+    pub const fn offset(&self, k: u32) -> SubTicks {
+        let k = k as u64;
+        let pairs = k.wrapping_mul(k.wrapping_sub(1)) / 2;
+        // At most MAX_BLOCK pulses have a jerk, and then this product is small.
+        let triples = if self.jerk == 0 || k < 3 { 0 } else { pairs * (k - 2) / 3 };
+        k.wrapping_mul(self.interval)
+            .wrapping_add(pairs.wrapping_mul(self.add as u64))
+            .wrapping_add(triples.wrapping_mul(self.jerk as u64))
+    }
+
+    /// The exact moment of pulse `k`.
+    pub const fn moment(&self, k: u32) -> Moment {
+        self.start.after(self.offset(k))
+    }
+
+    /// The clock in which pulse `k` happens.
+    pub const fn edge(&self, k: u32) -> Ticks {
+        self.moment(k).ticks
+    }
+
+    /// The clock of the last pulse.
+    pub const fn end(&self) -> Ticks {
+        self.edge(self.count)
+    }
+
+    /// How many of the pulses have happened when clock `now` is over.
+    pub fn count_until(&self, now: Ticks) -> u32 {
+        if now >= self.end() {
+            return self.count;
+        }
+        // Spacings are positive, so edges are sorted. A cruise could be divided, but this runs only
+        // where a train is cut or looked at.
+        let (mut done, mut after) = (0, self.count);
+        while after - done > 1 {
+            let middle = done + (after - done) / 2;
+            if self.edge(middle) <= now { done = middle } else { after = middle }
+        }
+        done
+    }
+
+    /// The first `k` pulses and the rest.
+    ///
+    /// # Panics
+    /// If `k` is 0 or not less than the count: both parts must have pulses.
+    pub fn split(&self, k: u32) -> (Self, Self) {
+        assert!(k > 0 && k < self.count, "a train splits between its pulses");
+        let head = Self { count: k, ..*self };
+        let jerk = i64::from(k).wrapping_mul(self.jerk);
+        let pairs = (u64::from(k) * u64::from(k - 1) / 2) as i64;
+        let tail = Self {
+            start: self.moment(k),
+            interval: self
+                .interval
+                .wrapping_add(i64::from(k).wrapping_mul(self.add) as u64)
+                .wrapping_add(pairs.wrapping_mul(self.jerk) as u64),
+            add: self.add.wrapping_add(jerk),
+            count: self.count - k,
+            ..*self
+        };
+        (head, tail)
+    }
+
+    /// The clocks of the pulses, in order.
+    pub fn edges(&self) -> Edges {
+        Edges {
+            ticks: self.start.ticks,
+            offset: u64::from(self.start.fraction),
+            interval: self.interval,
+            add: self.add as u64,
+            jerk: self.jerk as u64,
+            left: self.count,
+        }
+    }
+
+    /// Writes the clocks of the pulses to the front of `edges` and gives their number, which is the
+    /// smaller one of the count and the room.
+    pub fn expand(&self, edges: &mut [Ticks]) -> usize {
+        let count = edges.len().min(self.count as usize);
+        for (slot, edge) in edges[..count].iter_mut().zip(self.edges()) {
+            *slot = edge;
+        }
+        count
+    }
+}
+
+/// Iterator over the clocks of a train's pulses.
+#[derive(Clone, Debug)]
+pub struct Edges {
+    ticks: Ticks,
+    offset: SubTicks,
+    interval: SubTicks,
+    add: u64,
+    jerk: u64,
+    left: u32,
+}
+
+impl Iterator for Edges {
+    type Item = Ticks;
+
+    #[inline]
+    fn next(&mut self) -> Option<Ticks> {
+        if self.left == 0 {
+            return None;
+        }
+        self.left -= 1;
+        self.offset = self.offset.wrapping_add(self.interval);
+        self.interval = self.interval.wrapping_add(self.add);
+        self.add = self.add.wrapping_add(self.jerk);
+        Some(self.ticks + (self.offset >> FRACTION_BITS))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (self.left as usize, Some(self.left as usize))
+    }
+}
+
+impl ExactSizeIterator for Edges {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ramp() -> Train {
+        Train {
+            start: Moment { ticks: 1000, fraction: 1 << 31 },
+            interval: 300 << 32,
+            add: -(7 << 30),
+            jerk: 1 << 27,
+            count: 64,
+            direction: Direction::Positive,
+        }
+    }
+
+    #[test]
+    fn the_polynomial_and_the_iterator_agree() {
+        let train = ramp();
+        let edges: Vec<_> = train.edges().collect();
+        assert_eq!(edges.len(), 64);
+        for (k, edge) in (1..).zip(&edges) {
+            assert_eq!(train.edge(k), *edge);
+        }
+        assert!(edges.is_sorted());
+        let mut room = [0; 10];
+        assert_eq!(train.expand(&mut room), 10);
+        assert_eq!(room[..], edges[..10]);
+    }
+
+    #[test]
+    fn splitting_keeps_every_edge() {
+        let train = ramp();
+        let whole: Vec<_> = train.edges().collect();
+        for k in 1..train.count {
+            let (head, tail) = train.split(k);
+            let both: Vec<_> = head.edges().chain(tail.edges()).collect();
+            assert_eq!(both, whole, "split at {k}");
+        }
+    }
+
+    #[test]
+    fn counting_stops_between_edges() {
+        let train = ramp();
+        for k in 1..=train.count {
+            assert_eq!(train.count_until(train.edge(k) - 1), k - 1);
+            assert_eq!(train.count_until(train.edge(k)), k);
+        }
+        assert_eq!(train.count_until(0), 0);
+    }
+
+    #[test]
+    fn moments_carry() {
+        let moment = Moment { ticks: 5, fraction: u32::MAX };
+        assert_eq!(moment.after(1), Moment::at(6));
+        assert_eq!(Moment::at(6).since(moment), Some(1));
+        assert_eq!(moment.since(Moment::at(6)), None);
+    }
+}
