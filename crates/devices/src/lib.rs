@@ -7,6 +7,11 @@
 
 pub mod board;
 pub mod controller;
+pub mod flash;
+#[cfg(feature = "std")]
+pub mod models;
 
 pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Pin, PinKind, ProgramRun, ProgramState, Wiring};
+#[cfg(feature = "std")]
+pub use models::{MODELS, Model, model};

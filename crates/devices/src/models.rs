@@ -1,0 +1,27 @@
+//! The list of controllers. A new one is a folder beside this file and one line here.
+
+extern crate alloc;
+
+use crate::{Controller, flash::Flash};
+use alloc::boxed::Box;
+
+/// A kind of controller that can be built.
+pub struct Model {
+    /// Its name on the command line and in bench files.
+    pub name: &'static str,
+    /// Its maker's name and what it is, for people.
+    pub title: &'static str,
+    /// Bytes of flash that it needs, a multiple of the page.
+    pub flash_bytes: u32,
+    /// Builds one that has just been switched on, at clock 0. `seed` is what its random numbers start
+    /// from.
+    pub build: fn(flash: Box<dyn Flash + Send>, seed: u64) -> Box<dyn Controller + Send>,
+}
+
+/// All models.
+pub static MODELS: &[Model] = &[];
+
+/// The model of this name.
+pub fn model(name: &str) -> Option<&'static Model> {
+    MODELS.iter().find(|model| model.name == name)
+}
