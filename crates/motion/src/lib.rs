@@ -6,6 +6,14 @@
 //! one at a thousand times real time.
 #![cfg_attr(not(test), no_std)]
 
+pub mod axis;
+mod block;
+pub mod plan;
+pub mod speed;
+pub mod tmc429;
 pub mod train;
 
+pub use axis::{Axis, Goal, Stop};
+pub use plan::{Limits, Shape};
+pub use speed::{Growth, Scale, Speed};
 pub use train::{Direction, Moment, SubTicks, Ticks, Train};

@@ -1,0 +1,377 @@
+//! An axis: position counter, goal, limits, and the train that is on its way.
+//!
+//! Time moves by [`Axis::advance`]. Everything else happens at the end of the clock that was advanced to
+//! last: pulses of that clock have happened, the next one is at least a clock away. A change of goal or
+//! limits cuts the train on its way between two pulses, and the part of a pulse that was already made
+//! counts.
+
+use crate::block;
+use crate::plan::{self, Kind, Limits, Now, Piece};
+use crate::speed::{Speed, SpeedSquared, root, square};
+use crate::train::{Direction, Moment, Ticks, Train};
+
+/// One whole pulse in 2⁻³².
+const WHOLE: u64 = 1 << 32;
+
+/// What an axis wants.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// To stand at this position. Positions wrap at 32 bits, and the way is the shorter one.
+    Position(i32),
+    /// To move at this speed; 0 to stand still.
+    Speed(Direction, Speed),
+}
+
+/// How an axis ends its motion into a blocked direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At once.
+    Hard,
+    /// With the deceleration ramp.
+    Soft,
+}
+
+/// A train on its way: the pulses that have not happened.
+#[derive(Clone, Copy, Debug)]
+struct Leg {
+    train: Train,
+    /// v² at the start of the train and at its end.
+    squares: [SpeedSquared; 2],
+    kind: Kind,
+}
+
+/// The window in which nothing outside changes, in pulses of the odometer.
+#[derive(Clone, Copy, Debug)]
+struct Window {
+    low: i64,
+    high: i64,
+}
+
+/// A motion axis.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    limits: Limits,
+    goal: Goal,
+    /// Directions that are blocked: negative, positive.
+    blocked: [Option<Stop>; 2],
+    position: i32,
+    odometer: i64,
+    steps: u64,
+    window: Window,
+    /// The end of the clock that was advanced to, or the moment of the last pulse while moving.
+    since: Moment,
+    now: Ticks,
+    /// v² at `since`; 0 at standstill.
+    squared: SpeedSquared,
+    direction: Direction,
+    /// What is left of the next pulse at `since`, in 2⁻³².
+    rest: u64,
+    leg: Option<Leg>,
+}
+
+impl Axis {
+    /// An axis at rest at position 0 at clock 0.
+    pub fn new(limits: Limits) -> Self {
+        Self {
+            limits: limits.clamped(),
+            goal: Goal::Position(0),
+            blocked: [None; 2],
+            position: 0,
+            odometer: 0,
+            steps: 0,
+            window: Window { low: i64::MIN, high: i64::MAX },
+            since: Moment::at(0),
+            now: 0,
+            squared: 0,
+            direction: Direction::Positive,
+            rest: WHOLE,
+            leg: None,
+        }
+    }
+
+    /// The limits in force.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// What the axis wants.
+    pub fn goal(&self) -> Goal {
+        self.goal
+    }
+
+    /// The position counter.
+    pub fn position(&self) -> i32 {
+        self.position
+    }
+
+    /// Net pulses since power-up; setting the position does not change it.
+    pub fn odometer(&self) -> i64 {
+        self.odometer
+    }
+
+    /// All pulses since power-up, both ways.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// Whether pulses are on their way.
+    pub fn is_moving(&self) -> bool {
+        self.squared != 0
+    }
+
+    /// The way the axis moves, or moved last.
+    pub fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// The present speed; 0 at standstill.
+    pub fn speed(&self) -> Speed {
+        self.leg.as_ref().map_or(0, |leg| self.progress(leg).0)
+    }
+
+    /// Whether the speed is rising (1), falling (−1) or neither.
+    pub fn acceleration(&self) -> i32 {
+        self.leg.as_ref().map_or(0, |leg| match leg.squares[1].cmp(&leg.squares[0]) {
+            core::cmp::Ordering::Less => -1,
+            core::cmp::Ordering::Equal => 0,
+            core::cmp::Ordering::Greater => 1,
+        })
+    }
+
+    /// Overwrites the position counter. The axis need not stand still; a target stays where it is.
+    pub fn set_position(&mut self, position: i32) {
+        self.change(|axis| axis.position = position);
+    }
+
+    /// Changes what the axis wants.
+    pub fn set_goal(&mut self, goal: Goal) {
+        if goal != self.goal {
+            self.change(|axis| axis.goal = goal);
+        }
+    }
+
+    /// Changes the limits. A motion goes on at its speed, also when the scale changes.
+    pub fn set_limits(&mut self, limits: Limits) {
+        let limits = limits.clamped();
+        if limits != self.limits {
+            self.change(|axis| {
+                let (old, new) = (axis.limits.scale.bits(), limits.scale.bits());
+                let speed = u64::from(root(axis.squared));
+                if new != old && speed != 0 {
+                    let speed = if new > old { speed << (new - old) } else { speed >> (old - new) };
+                    let speed = speed.clamp(limits.scale.slowest().into(), crate::speed::MAX_SPEED.into());
+                    axis.squared = square(speed as Speed);
+                }
+                axis.limits = limits;
+            });
+        }
+    }
+
+    /// Blocks a direction or frees it. A motion into it ends as the stop says; one that was held goes on
+    /// when the direction is freed and the goal still lies there.
+    pub fn set_blocked(&mut self, direction: Direction, stop: Option<Stop>) {
+        if self.blocked[direction as usize] != stop {
+            self.change(|axis| axis.blocked[direction as usize] = stop);
+        }
+    }
+
+    /// Stands still at once and wants nothing else.
+    pub fn halt(&mut self) {
+        self.change(|axis| {
+            axis.rest();
+            axis.goal = Goal::Speed(axis.direction, 0);
+        });
+    }
+
+    /// Nothing outside changes while the odometer is strictly between these; the axis wakes at them.
+    pub fn set_window(&mut self, low: i64, high: i64) {
+        self.window = Window { low, high };
+    }
+
+    /// The clock at which the axis must be advanced: the end of its train, or the pulse with which it
+    /// reaches its window's edge. `None` at rest.
+    pub fn wake(&self) -> Option<Ticks> {
+        let leg = self.leg.as_ref()?;
+        let train = &leg.train;
+        let room = match train.direction {
+            Direction::Negative => self.odometer.saturating_sub(self.window.low),
+            Direction::Positive => self.window.high.saturating_sub(self.odometer),
+        };
+        Some(match u32::try_from(room) {
+            Ok(room @ 1..) if room < train.count => train.edge(room),
+            _ => train.end(),
+        })
+    }
+
+    /// Lets time pass to the end of clock `now`; `emit` gets the trains of the pulses made until then.
+    ///
+    /// # Panics
+    /// If `now` is earlier than the last time.
+    pub fn advance(&mut self, now: Ticks, mut emit: impl FnMut(&Train)) {
+        assert!(now >= self.now, "time moves forward");
+        self.now = now;
+        while let Some(leg) = self.leg {
+            let done = leg.train.count_until(now);
+            if done == 0 {
+                return;
+            }
+            let part = if done < leg.train.count {
+                let (head, tail) = leg.train.split(done);
+                self.squared = leg.squared_after(done);
+                self.leg = Some(Leg { train: tail, squares: [self.squared, leg.squares[1]], kind: leg.kind });
+                head
+            } else {
+                self.squared = leg.squares[1];
+                self.leg = None;
+                leg.train
+            };
+            emit(&part);
+            self.count(&part);
+            self.since = part.moment(part.count);
+            self.rest = WHOLE;
+            if self.leg.is_none() {
+                self.plan();
+            }
+        }
+    }
+
+    /// Puts a change into effect at the end of the present clock.
+    fn change(&mut self, change: impl FnOnce(&mut Self)) {
+        if let Some(leg) = self.leg.take() {
+            assert!(leg.train.edge(1) > self.now, "pulses in the past belong out before a change");
+            let (speed, rest) = self.progress(&leg);
+            self.squared = square(speed);
+            self.rest = rest;
+        }
+        self.since = Moment::at(self.now + 1);
+        change(self);
+        self.plan();
+    }
+
+    /// Speed and rest of the pulse at the end of the present clock.
+    fn progress(&self, leg: &Leg) -> (Speed, u64) {
+        let spacing = leg.train.interval;
+        let gone = Moment::at(self.now + 1).since(leg.train.start).unwrap_or(0).min(spacing - 1);
+        let [from, to] = [leg.squares[0], leg.squared_after(1)].map(|squared| i64::from(root(squared)));
+        // Over one pulse the speed is taken as linear in time; way is speed by time.
+        let share = ((u128::from(gone) << 32) / u128::from(spacing)) as i64;
+        let speed = from + (((to - from) * share) >> 32);
+        let way = (i128::from(share) * i128::from(from + speed) / i128::from(from + to)) as u64;
+        let left = ((u128::from(self.rest) * u128::from(WHOLE - way.min(WHOLE - 1))) >> 32) as u64;
+        (speed as Speed, left.max(1))
+    }
+
+    fn count(&mut self, train: &Train) {
+        let way = train.direction.sign() * i64::from(train.count);
+        self.position = self.position.wrapping_add(way as i32);
+        self.odometer += way;
+        self.steps += u64::from(train.count);
+    }
+
+    fn rest(&mut self) {
+        self.squared = 0;
+        self.rest = WHOLE;
+        self.leg = None;
+    }
+
+    /// Finds the next leg, or comes to rest.
+    fn plan(&mut self) {
+        // Twice at the most: coming to rest may be the start of a motion the other way.
+        for _ in 0..2 {
+            if self.squared == 0 && !self.start() {
+                return;
+            }
+            match self.next_piece() {
+                Some(piece) => {
+                    self.leg = Some(self.leg_of(piece));
+                    return;
+                }
+                None => self.rest(),
+            }
+        }
+    }
+
+    /// Gets going if the goal asks for it and no switch forbids it.
+    fn start(&mut self) -> bool {
+        let (direction, top) = match self.goal {
+            Goal::Position(target) => match target.wrapping_sub(self.position) {
+                0 => return false,
+                way => (Direction::of(way.into()), self.limits.top),
+            },
+            Goal::Speed(_, 0) => return false,
+            Goal::Speed(direction, speed) => (direction, speed),
+        };
+        if self.blocked[direction as usize].is_some() {
+            return false;
+        }
+        self.direction = direction;
+        self.squared = square(self.limits.start.min(top).max(self.limits.scale.slowest()));
+        true
+    }
+
+    /// How to go on from a speed that is not 0; `None` to stand still now.
+    fn next_piece(&self) -> Option<Piece> {
+        let now = Now { squared: self.squared, rest: self.rest };
+        match self.blocked[self.direction as usize] {
+            Some(Stop::Hard) => return None,
+            Some(Stop::Soft) => return plan::brake(&self.limits, now),
+            None => {}
+        }
+        match self.goal {
+            Goal::Position(target) => {
+                let way = i64::from(target.wrapping_sub(self.position)) * self.direction.sign();
+                match u64::try_from(way) {
+                    Ok(pulses @ 1..) => {
+                        plan::toward(&self.limits, now, pulses).or_else(|| plan::brake(&self.limits, now))
+                    }
+                    _ => plan::brake(&self.limits, now),
+                }
+            }
+            Goal::Speed(direction, speed) if direction == self.direction && speed != 0 => {
+                Some(plan::at_speed(&self.limits, now, speed))
+            }
+            Goal::Speed(..) => plan::brake(&self.limits, now),
+        }
+    }
+
+    fn leg_of(&self, piece: Piece) -> Leg {
+        let Piece { count, end, kind } = piece;
+        let scale = self.limits.scale;
+        let ends = [root(self.squared), root(end)];
+        let train = match kind {
+            Kind::Cruise => Train { interval: scale.spacing(ends[0]), count, ..self.still() },
+            Kind::Glide => block::glide(scale, self.since, self.direction, count, ends),
+            Kind::Ramp => {
+                let whole = block::ramp(scale, self.since, self.direction, count, ends);
+                if self.rest == WHOLE {
+                    whole
+                } else {
+                    let interval = ((u128::from(whole.interval) * u128::from(self.rest)) >> 32) as u64;
+                    Train { interval: interval.max(1), ..whole }
+                }
+            }
+        };
+        Leg { train, squares: [self.squared, end], kind }
+    }
+
+    fn still(&self) -> Train {
+        block::single(self.since, self.direction, 0)
+    }
+}
+
+impl Leg {
+    /// v² after some of the pulses.
+    fn squared_after(&self, pulses: u32) -> SpeedSquared {
+        let count = i128::from(self.train.count);
+        let between = |from: u64, to: u64| {
+            let change = (i128::from(to) - i128::from(from)) * i128::from(pulses) / count;
+            (i128::from(from) + change) as u64
+        };
+        let [from, to] = self.squares;
+        match self.kind {
+            Kind::Cruise => to,
+            Kind::Ramp => between(from, to),
+            Kind::Glide => square(between(root(from).into(), root(to).into()) as Speed),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! From a piece of a speed profile to a train.
+//!
+//! A block is a run of pulses over which the profile changes little. Its duration is exact; inside it the
+//! pulses follow the cubic that has the profile's speed at both ends. With at most 1/32 of the square of
+//! the speed changing over a block, that stays within 0.1 % of the acceleration and far less than a clock.
+
+use crate::speed::{Growth, Scale, Speed, SpeedSquared};
+use crate::train::{Direction, Moment, SubTicks, Train};
+
+/// The longest block of a ramp, so that rounding of the cubic's terms stays below 1/64 clock.
+pub const MAX_BLOCK: u32 = 512;
+
+/// The largest share of v² that changes over a block of more than one pulse, as a power of two.
+const SHARE_BITS: u32 = 5;
+
+/// Largest power of two of pulses, up to [`MAX_BLOCK`], over which v² changes by at most 1/32, seen from
+/// its smaller end.
+#[inline]
+pub fn block_length(slow_end: SpeedSquared, growth: Growth) -> u32 {
+    let mut length = MAX_BLOCK;
+    // growth·length ≤ v²/32, found from the logarithms first.
+    let room = (slow_end >> SHARE_BITS).checked_ilog2().unwrap_or(0);
+    let need = growth.ilog2();
+    if room < need {
+        return 1;
+    }
+    length = length.min(1u32.checked_shl(room - need).unwrap_or(length));
+    while length > 1 && growth.saturating_mul(u64::from(length)) > slow_end >> SHARE_BITS {
+        length /= 2;
+    }
+    length
+}
+
+/// `count` pulses (a power of two) from one speed to another, in `count·mean` clocks.
+#[inline]
+pub fn cubic(start: Moment, direction: Direction, count: u32, [first, mean, last]: [SubTicks; 3]) -> Train {
+    debug_assert!(count.is_power_of_two());
+    let bits = count.trailing_zeros();
+    let (first, mean, last) = (first as i64, mean as i64, last as i64);
+    // T(n) = first·n + c2·n² + c3·n³ with T(count) = count·mean and T'(count) = last.
+    let c2 = (3 * (mean - first) - (last - first)) >> bits;
+    let c3 = ((first - mean) + (last - mean)) >> (2 * bits);
+    Train { start, interval: (first + c2 + c3) as u64, add: 2 * c2 + 6 * c3, jerk: 6 * c3, count, direction }
+}
+
+/// A block of constant acceleration between two squared speeds.
+#[inline]
+pub fn ramp(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Speed; 2]) -> Train {
+    let [from, to] = ends;
+    let mean = scale.mean_spacing(from, to);
+    if count == 1 {
+        return single(start, direction, mean);
+    }
+    cubic(start, direction, count, [scale.quick_spacing(from), mean, scale.quick_spacing(to)])
+}
+
+/// A block over which the speed itself, not its square, changes evenly with the pulses.
+#[inline]
+pub fn glide(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Speed; 2]) -> Train {
+    let [from, to] = ends;
+    let first = scale.quick_spacing(from);
+    let last = scale.quick_spacing(to);
+    // The time is the integral of the spacing: Simpson's rule, off by 10⁻⁹ at most over such a block.
+    let middle = scale.mean_spacing(from, to);
+    let mean = first / 6 + 2 * (middle / 3) + last / 6;
+    if count == 1 {
+        return single(start, direction, mean);
+    }
+    cubic(start, direction, count, [first, mean, last])
+}
+
+/// One pulse.
+#[inline]
+pub const fn single(start: Moment, direction: Direction, interval: SubTicks) -> Train {
+    Train { start, interval, add: 0, jerk: 0, count: 1, direction }
+}

@@ -1,0 +1,247 @@
+//! The decision of an axis: how the speed goes on from here.
+//!
+//! Over the distance to a target lies a ceiling: the speed from which the stop speed can just be reached
+//! there. Below the ceiling the axis speeds up or cruises, on the ceiling it slows down along it, above
+//! it the target cannot be held and the axis brakes, to come back from the other side. All of it in v²
+//! against pulses, where the ceiling of a trapezoid is a straight line.
+
+use crate::block::block_length;
+use crate::speed::{Growth, Scale, Speed, SpeedSquared, root, square};
+
+/// How an axis approaches its target.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// Constant deceleration.
+    Trapezoid,
+    /// Speed in proportion to the distance left, so that it decays exponentially in time: the
+    /// deceleration is the greatest allowed at first and ever gentler after.
+    Soft,
+}
+
+/// What bounds the motion of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Limits {
+    /// The unit of the speeds.
+    pub scale: Scale,
+    /// Speed of positioning.
+    pub top: Speed,
+    /// Speed with which motion begins.
+    pub start: Speed,
+    /// Speed from which the axis may stand still at once.
+    pub stop: Speed,
+    /// Acceleration and deceleration.
+    pub growth: Growth,
+    /// How a target is approached.
+    pub shape: Shape,
+}
+
+impl Limits {
+    /// Speeds at least at the slowest of the scale, so that every spacing fits a train.
+    pub(crate) fn clamped(self) -> Self {
+        let slowest = self.scale.slowest();
+        Self {
+            top: self.top.max(slowest),
+            start: self.start.max(slowest),
+            stop: self.stop.max(slowest),
+            growth: self.growth.clamp(1, crate::speed::MAX_GROWTH),
+            ..self
+        }
+    }
+
+    /// Speed a pulse that the soft approach takes away.
+    fn decay(&self) -> u64 {
+        (self.growth / (2 * u64::from(self.top))).max(1)
+    }
+
+    /// The ceiling of v² over a distance in 2⁻³² pulses.
+    fn ceiling(&self, distance: Distance) -> SpeedSquared {
+        let Distance::Pulses(distance) = distance else { return SpeedSquared::MAX };
+        match self.shape {
+            Shape::Trapezoid => {
+                let rise = (u128::from(self.growth) * u128::from(distance)) >> 32;
+                square(self.stop).saturating_add(u64::try_from(rise).unwrap_or(u64::MAX))
+            }
+            Shape::Soft => {
+                let speed = (u128::from(self.decay()) * u128::from(distance)) >> 32;
+                u32::try_from(speed).map_or(u64::MAX, square).max(square(self.stop))
+            }
+        }
+    }
+
+    /// Pulses from the top speed to the stop speed, rounded up.
+    fn braking_pulses(&self, top: SpeedSquared) -> u64 {
+        match self.shape {
+            Shape::Trapezoid => top.saturating_sub(square(self.stop)).div_ceil(self.growth),
+            Shape::Soft if top <= square(self.stop) => 0,
+            Shape::Soft => u64::from(root(top)).div_ceil(self.decay()),
+        }
+    }
+
+    /// Rounding of v² that is not worth a reaction: far below a quantum of acceleration.
+    fn slack(&self, squared: SpeedSquared) -> u64 {
+        (self.growth >> 10) + 8 * u64::from(root(squared))
+    }
+}
+
+/// How far the axis may go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Distance {
+    /// In 2⁻³² pulses.
+    Pulses(u64),
+    /// No end in sight.
+    Endless,
+}
+
+impl Distance {
+    fn less(self, pulses: u64) -> Self {
+        match self {
+            Self::Pulses(distance) => Self::Pulses(distance.saturating_sub(pulses << 32)),
+            Self::Endless => Self::Endless,
+        }
+    }
+}
+
+/// The next piece of the profile: so many pulses to this v².
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Piece {
+    pub count: u32,
+    pub end: SpeedSquared,
+    pub kind: Kind,
+}
+
+/// How speed goes over a [`Piece`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// v² changes evenly.
+    Ramp,
+    /// v changes evenly.
+    Glide,
+    /// Neither changes.
+    Cruise,
+}
+
+/// Where the axis is on its way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Now {
+    /// v², not 0.
+    pub squared: SpeedSquared,
+    /// What is left of the next pulse, in 2⁻³²: 1 to 2³².
+    pub rest: u64,
+}
+
+/// The next piece on the way to a target `pulses` ahead, the started one included, or `None` if the axis
+/// is too fast to stop there.
+pub(crate) fn toward(limits: &Limits, now: Now, pulses: u64) -> Option<Piece> {
+    let distance = Distance::Pulses(((pulses - 1) << 32) + now.rest);
+    let ceiling = limits.ceiling(distance);
+    if now.squared > ceiling.saturating_add(limits.slack(now.squared)) {
+        return None;
+    }
+    Some(piece(limits, now, square(limits.top), Some((pulses, distance, ceiling))))
+}
+
+/// The next piece on the way to a speed.
+pub(crate) fn at_speed(limits: &Limits, now: Now, speed: Speed) -> Piece {
+    piece(limits, now, square(speed.max(limits.scale.slowest())), None)
+}
+
+/// The next piece on the way to standstill; `None` when the axis may stand still now.
+pub(crate) fn brake(limits: &Limits, now: Now) -> Option<Piece> {
+    let stop = square(limits.stop);
+    if now.squared <= stop {
+        return None;
+    }
+    // The line through the first whole pulse at which standstill can be reached.
+    let limits = Limits { shape: Shape::Trapezoid, ..*limits };
+    let first = part(limits.growth, now.rest);
+    let after = (now.squared - stop).saturating_sub(first).div_ceil(limits.growth);
+    let distance = Distance::Pulses((after << 32) + now.rest);
+    let ceiling = limits.ceiling(distance);
+    Some(piece(&limits, now, now.squared, Some((after + 1, distance, ceiling))))
+}
+
+/// `growth` over a part of a pulse in 2⁻³².
+fn part(growth: Growth, rest: u64) -> u64 {
+    ((u128::from(growth) * u128::from(rest)) >> 32) as u64
+}
+
+fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distance, SpeedSquared)>) -> Piece {
+    let (pulses, distance, ceiling) = end.unwrap_or((u64::MAX, Distance::Endless, SpeedSquared::MAX));
+    let Now { squared, rest } = now;
+    let growth = limits.growth;
+    if rest == 1 << 32 && pulses > 1 {
+        let on_ceiling = ceiling <= squared.saturating_add(limits.slack(squared));
+        let whole = if on_ceiling && squared > square(limits.stop) {
+            slow_down(limits, squared, pulses, distance)
+        } else if squared < top {
+            let longest = block_length(squared, growth);
+            shorten(longest, pulses, |count| {
+                let to = squared + growth * u64::from(count);
+                (to <= top && to <= limits.ceiling(distance.less(count.into()))).then_some(to)
+            })
+            .map(|(count, end)| Piece { count, end, kind: Kind::Ramp })
+        } else if squared == top {
+            cruise(limits, top, pulses)
+        } else {
+            let longest = block_length(squared - (squared >> 4), growth);
+            shorten(longest, pulses, |count| {
+                let to = squared.checked_sub(growth * u64::from(count))?;
+                (to >= top && to <= limits.ceiling(distance.less(count.into()))).then_some(to)
+            })
+            .map(|(count, end)| Piece { count, end, kind: Kind::Ramp })
+        };
+        if let Some(piece) = whole {
+            return piece;
+        }
+    }
+    let change = part(growth, rest);
+    let wish = if squared < top {
+        squared.saturating_add(change).min(top)
+    } else {
+        squared.saturating_sub(change).max(top)
+    };
+    let after = match distance {
+        Distance::Pulses(distance) => limits.ceiling(Distance::Pulses(distance - rest)),
+        Distance::Endless => SpeedSquared::MAX,
+    };
+    Piece { count: 1, end: wish.min(after), kind: Kind::Ramp }
+}
+
+/// Along the ceiling.
+fn slow_down(limits: &Limits, squared: SpeedSquared, pulses: u64, distance: Distance) -> Option<Piece> {
+    let (longest, kind) = match limits.shape {
+        Shape::Trapezoid => (block_length(squared - (squared >> 4), limits.growth), Kind::Ramp),
+        Shape::Soft => (crate::block::MAX_BLOCK, Kind::Glide),
+    };
+    let (count, end) = shorten(longest, pulses, |count| {
+        let to = limits.ceiling(distance.less(count.into()));
+        (to < squared && squared - to <= to >> 5).then_some(to)
+    })?;
+    Some(Piece { count, end, kind })
+}
+
+/// As far as the top speed lies under the ceiling, but not longer than a train lasts.
+fn cruise(limits: &Limits, top: SpeedSquared, pulses: u64) -> Option<Piece> {
+    let braking = if pulses == u64::MAX { 0 } else { limits.braking_pulses(top) };
+    let longest = (1 << 62) / limits.scale.spacing(root(top));
+    let count = pulses.saturating_sub(braking).min(longest).min(u64::from(u32::MAX));
+    (count > 0).then_some(Piece { count: count as u32, end: top, kind: Kind::Cruise })
+}
+
+/// The longest block of a power of two of pulses, of at least two, that is possible.
+fn shorten(
+    longest: u32,
+    pulses: u64,
+    end: impl Fn(u32) -> Option<SpeedSquared>,
+) -> Option<(u32, SpeedSquared)> {
+    let mut count = longest;
+    while count > 1 {
+        if u64::from(count) <= pulses
+            && let Some(end) = end(count)
+        {
+            return Some((count, end));
+        }
+        count /= 2;
+    }
+    None
+}
