@@ -43,3 +43,25 @@ pub trait Flash {
     /// [`FlashError::Range`] and [`FlashError::PowerLost`].
     fn erase(&mut self, from: u32, to: u32) -> Result<(), FlashError>;
 }
+
+#[cfg(feature = "std")]
+extern crate alloc;
+
+#[cfg(feature = "std")]
+impl<F: Flash + ?Sized> Flash for alloc::boxed::Box<F> {
+    fn capacity(&self) -> u32 {
+        (**self).capacity()
+    }
+
+    fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), FlashError> {
+        (**self).read(offset, bytes)
+    }
+
+    fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), FlashError> {
+        (**self).write(offset, bytes)
+    }
+
+    fn erase(&mut self, from: u32, to: u32) -> Result<(), FlashError> {
+        (**self).erase(from, to)
+    }
+}

@@ -10,6 +10,7 @@ pub mod controller;
 pub mod flash;
 #[cfg(feature = "std")]
 pub mod models;
+pub mod settings;
 
 pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Pin, PinKind, ProgramRun, ProgramState, Wiring};

@@ -8,6 +8,7 @@
 
 pub mod axis;
 mod block;
+pub mod homing;
 pub mod plan;
 pub mod speed;
 pub mod tmc429;

@@ -1,0 +1,231 @@
+//! The store of settings: numbered records in flash that survive a power cut at any operation.
+//!
+//! `sequential-storage` does the work: records are appended and never overwritten, so that a torn write
+//! leaves the old one. What this adds are generations: forgetting all records of a kind is one record
+//! too, the number of a new generation, and therefore either has happened or has not.
+
+use crate::flash::{Flash, FlashError, PAGE_BYTES, WORD_BYTES};
+use core::future::Future;
+use core::pin::pin;
+use core::task::{Context, Poll, Waker};
+use embedded_storage_async::nor_flash::{
+    ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash,
+};
+use heapless::Vec;
+use sequential_storage::cache::{Cache, Uncached};
+use sequential_storage::map::{MapConfig, MapStorage};
+
+/// The longest value of a record, in bytes.
+pub const MAX_VALUE_BYTES: usize = 96;
+
+/// Bytes of a generation number in front of each value.
+const GENERATION_BYTES: usize = 4;
+
+/// Room for a key, a generation and a value, in whole words.
+const BUFFER_BYTES: usize = 2 + GENERATION_BYTES + MAX_VALUE_BYTES + 2;
+
+/// What a record is about. Kinds are forgotten together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A setting.
+    Setting,
+    /// A word of a program.
+    Program,
+}
+
+/// The number of a record inside its kind: below 2¹⁵.
+pub type Number = u16;
+
+/// Programs have the upper half of the keys.
+const PROGRAM_KEYS: u16 = 0x8000;
+
+/// Where the generation of a kind is kept: the last number of its half.
+const GENERATION_KEY: u16 = 0x7FFF;
+
+impl Kind {
+    const ALL: [Self; 2] = [Self::Setting, Self::Program];
+
+    const fn key(self, number: Number) -> u16 {
+        match self {
+            Self::Setting => number,
+            Self::Program => PROGRAM_KEYS | number,
+        }
+    }
+
+    const fn of(key: u16) -> (Self, Number) {
+        if key & PROGRAM_KEYS == 0 { (Self::Setting, key) } else { (Self::Program, key & !PROGRAM_KEYS) }
+    }
+}
+
+/// Why a record is not in flash.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StoreError {
+    /// The flash lost its supply.
+    PowerLost,
+    /// Nothing more fits.
+    Full,
+    /// The flash does not behave as flash does.
+    Broken,
+}
+
+type Storage<F> = MapStorage<u16, Adapter<F>, Cache<Uncached, Uncached, Uncached, u16>>;
+
+/// The store.
+pub struct Settings<F: Flash> {
+    storage: Storage<F>,
+    generations: [u32; 2],
+}
+
+impl<F: Flash> Settings<F> {
+    /// Opens the store in a flash memory and hands over every record, the newest of a number last.
+    /// Memory that holds anything else is erased.
+    ///
+    /// # Errors
+    /// [`StoreError::PowerLost`] and [`StoreError::Broken`].
+    ///
+    /// # Panics
+    /// If the flash has less than two pages.
+    pub fn open(flash: F, mut record: impl FnMut(Kind, Number, &[u8])) -> Result<Self, StoreError> {
+        let config = MapConfig::new(0..flash.capacity());
+        let storage = MapStorage::new(Adapter(flash), config, Cache::new_uncached());
+        let mut settings = Self { storage, generations: [0; 2] };
+        if settings.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
+            settings.now(|storage| storage.erase_all())?;
+            settings.generations = [0; 2];
+        }
+        let generations = settings.generations;
+        settings.each(|key, generation, value| {
+            let (kind, number) = Kind::of(key);
+            if number != GENERATION_KEY && generation == generations[kind as usize] {
+                record(kind, number, value);
+            }
+        })?;
+        Ok(settings)
+    }
+
+    /// Stores a record. When this returns, the new value is what the next start finds; if it fails, the
+    /// next start finds the new value or the old one.
+    ///
+    /// # Errors
+    /// All of [`StoreError`].
+    ///
+    /// # Panics
+    /// If the value is longer than [`MAX_VALUE_BYTES`] or the number is not below 2¹⁵ − 1.
+    pub fn store(&mut self, kind: Kind, number: Number, value: &[u8]) -> Result<(), StoreError> {
+        assert!(number < GENERATION_KEY, "record number out of range");
+        let mut record = Vec::<u8, { GENERATION_BYTES + MAX_VALUE_BYTES }>::new();
+        let generation = self.generations[kind as usize].to_le_bytes();
+        let fits = record.extend_from_slice(&generation).and_then(|()| record.extend_from_slice(value));
+        assert!(fits.is_ok(), "record too long");
+        self.write(kind.key(number), &record)
+    }
+
+    /// Forgets all records of a kind, in one step.
+    ///
+    /// # Errors
+    /// All of [`StoreError`].
+    pub fn forget(&mut self, kind: Kind) -> Result<(), StoreError> {
+        let generation = self.generations[kind as usize].wrapping_add(1);
+        self.write(kind.key(GENERATION_KEY), &generation.to_le_bytes())?;
+        self.generations[kind as usize] = generation;
+        Ok(())
+    }
+
+    fn find_generations(&mut self) -> Result<(), StoreError> {
+        let mut generations = [0; 2];
+        self.each(|key, generation, _| {
+            for kind in Kind::ALL {
+                if key == kind.key(GENERATION_KEY) {
+                    generations[kind as usize] = generation;
+                }
+            }
+        })?;
+        self.generations = generations;
+        Ok(())
+    }
+
+    /// Every record with its key, generation and value.
+    fn each(&mut self, mut record: impl FnMut(u16, u32, &[u8])) -> Result<(), StoreError> {
+        let mut buffer = [0; BUFFER_BYTES];
+        let all = async {
+            let mut records = self.storage.fetch_all_items(&mut buffer).await?;
+            while let Some((key, bytes)) = records.next::<&[u8]>(&mut buffer).await? {
+                if let Some((generation, value)) = bytes.split_first_chunk() {
+                    record(key, u32::from_le_bytes(*generation), value);
+                }
+            }
+            Ok(())
+        };
+        at_once(all).map_err(store_error)
+    }
+
+    fn write(&mut self, key: u16, record: &[u8]) -> Result<(), StoreError> {
+        let mut buffer = [0; BUFFER_BYTES];
+        at_once(self.storage.store_item(&mut buffer, &key, &record)).map_err(store_error)
+    }
+
+    fn now<'a, R, W>(&'a mut self, work: W) -> Result<(), StoreError>
+    where
+        W: FnOnce(&'a mut Storage<F>) -> R,
+        R: Future<Output = Result<(), sequential_storage::Error<FlashError>>>,
+    {
+        at_once(work(&mut self.storage)).map_err(store_error)
+    }
+}
+
+fn store_error(error: sequential_storage::Error<FlashError>) -> StoreError {
+    match error {
+        sequential_storage::Error::Storage { value: FlashError::PowerLost, .. } => StoreError::PowerLost,
+        sequential_storage::Error::FullStorage => StoreError::Full,
+        _ => StoreError::Broken,
+    }
+}
+
+/// The store speaks of futures, but flash behind [`Flash`] never waits.
+fn at_once<T>(future: impl Future<Output = T>) -> T {
+    match pin!(future).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(value) => value,
+        Poll::Pending => unreachable!("flash operations end before they return"),
+    }
+}
+
+/// A flash memory as `sequential-storage` wants it.
+struct Adapter<F: Flash>(F);
+
+impl NorFlashError for FlashError {
+    fn kind(&self) -> NorFlashErrorKind {
+        match self {
+            Self::Range => NorFlashErrorKind::OutOfBounds,
+            Self::PowerLost | Self::NotErased => NorFlashErrorKind::Other,
+        }
+    }
+}
+
+impl<F: Flash> ErrorType for Adapter<F> {
+    type Error = FlashError;
+}
+
+impl<F: Flash> ReadNorFlash for Adapter<F> {
+    const READ_SIZE: usize = 1;
+
+    async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), FlashError> {
+        self.0.read(offset, bytes)
+    }
+
+    fn capacity(&self) -> usize {
+        self.0.capacity() as usize
+    }
+}
+
+impl<F: Flash> NorFlash for Adapter<F> {
+    const WRITE_SIZE: usize = WORD_BYTES as usize;
+    const ERASE_SIZE: usize = PAGE_BYTES as usize;
+
+    async fn erase(&mut self, from: u32, to: u32) -> Result<(), FlashError> {
+        self.0.erase(from, to)
+    }
+
+    async fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), FlashError> {
+        self.0.write(offset, bytes)
+    }
+}
