@@ -1,0 +1,82 @@
+//! Documents that a program writes. One list: the command, and the file that holds what it prints.
+
+use crate::workplace::{Workplace, read};
+use anyhow::{Context, Result, bail};
+use std::{fs, path::Path};
+
+/// A generated document.
+struct Document {
+    /// Cargo's arguments; standard output is the document.
+    command: &'static [&'static str],
+    file: &'static str,
+}
+
+/// The test profile is named so that the tests' build is used again.
+const DOCUMENTS: &[Document] = &[Document {
+    command: &[
+        "run",
+        "--quiet",
+        "--locked",
+        "--profile",
+        "test",
+        "-p",
+        "devices",
+        "--example",
+        "conformance",
+    ],
+    file: "docs/conformance/pd42-1140.md",
+}];
+
+/// Writes every document.
+pub fn write(workplace: &Workplace) -> Result<()> {
+    for document in DOCUMENTS {
+        let text = read(&mut workplace.command("cargo", document.command))?;
+        let path = workplace.root.join(document.file);
+        fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+        fs::write(&path, text).with_context(|| document.file)?;
+        println!("wrote {}", document.file);
+    }
+    Ok(())
+}
+
+/// Compares every document with what would be written.
+pub fn check(workplace: &Workplace) -> Result<()> {
+    for document in DOCUMENTS {
+        let wanted = read(&mut workplace.command("cargo", document.command))?;
+        let present = fs::read_to_string(workplace.root.join(document.file)).unwrap_or_default();
+        if let Some(line) = first_difference(&present, &wanted) {
+            bail!("{} is out of date from line {line} on: cargo xtask docs", document.file);
+        }
+        println!("{} is up to date", document.file);
+    }
+    Ok(())
+}
+
+/// The number of the first line that differs, from 1.
+fn first_difference(present: &str, wanted: &str) -> Option<usize> {
+    let (mut present, mut wanted) = (present.split('\n'), wanted.split('\n'));
+    (1..).find_map(|line| match (present.next(), wanted.next()) {
+        (None, None) => Some(None),
+        (a, b) if a == b => None,
+        _ => Some(Some(line)),
+    })?
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(present: &str, wanted: &str, expected: Option<usize>) {
+        assert_eq!(first_difference(present, wanted), expected);
+    }
+
+    #[test]
+    fn the_first_different_line_is_named() {
+        check("a\nb\n", "a\nb\n", None);
+        check("a\nb\n", "a\nc\n", Some(2));
+        check("", "a\n", Some(1));
+        check("a\n", "a\nb\n", Some(2));
+        check("a\nb\n", "a\nb", Some(3));
+    }
+}

@@ -1,0 +1,63 @@
+//! The steps that Rust's own tools do.
+
+use crate::{
+    tools,
+    workplace::{Workplace, read, run},
+};
+use anyhow::Result;
+
+/// A target without an operating system, close to the microcontrollers the kernel is meant for.
+const BARE_METAL: &str = "thumbv7em-none-eabihf";
+
+/// `cargo fmt --check` on the workspace and on the fuzz targets.
+pub fn format(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["fmt", "--all", "--check"])?;
+    if workplace.fuzz_manifest().exists() {
+        workplace.cargo(&["fmt", "--manifest-path", "fuzz/Cargo.toml", "--check"])?;
+    }
+    Ok(())
+}
+
+/// Clippy on libraries, programs, tests, examples and benches.
+pub fn clippy(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"])
+}
+
+/// The `no_std` crates without their default features: for a bare-metal target where its core library is
+/// installed, which proves that nothing pulls in `std`; else on the host, which proves that they build.
+pub fn no_std(workplace: &Workplace) -> Result<()> {
+    let mut arguments = vec!["check", "--locked", "--no-default-features", "--lib"];
+    for name in ["motion", "protocol", "tmcl", "devices"] {
+        arguments.extend(["-p", name]);
+    }
+    let sysroot = read(&mut workplace.command("rustc", &["--print", "sysroot"]))?;
+    let core = std::path::Path::new(sysroot.trim()).join("lib/rustlib").join(BARE_METAL);
+    if core.exists() {
+        arguments.extend(["--target", BARE_METAL]);
+    } else {
+        println!("{BARE_METAL} is not installed (rustup target add {BARE_METAL}): on the host instead");
+    }
+    workplace.cargo(&arguments)
+}
+
+/// Every test of the workspace.
+pub fn tests(workplace: &Workplace) -> Result<()> {
+    tools::nextest(workplace)?;
+    workplace.cargo(&["nextest", "run", "--locked", "--workspace"])
+}
+
+/// The examples in doc comments, which nextest does not run.
+pub fn doc_tests(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["test", "--quiet", "--locked", "--workspace", "--doc"])
+}
+
+/// The API documentation; a dead link is an error.
+pub fn rustdoc(workplace: &Workplace) -> Result<()> {
+    let mut command = workplace.command("cargo", &["doc", "--locked", "--workspace", "--no-deps"]);
+    run(command.env("RUSTDOCFLAGS", "-D warnings"))
+}
+
+/// The program as users build it.
+pub fn binary(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["build", "--locked", "--release", "-p", "cli"])
+}

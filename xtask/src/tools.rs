@@ -1,0 +1,87 @@
+//! What the steps need beside Rust, and how it gets here. Nothing is installed that is already there;
+//! what is not a Debian package goes into the target directory and nowhere else.
+
+use crate::workplace::{Workplace, read, run, succeeds};
+use anyhow::{Context, Result, bail};
+use std::{fs, path::PathBuf};
+
+const NEXTEST: &str = "0.9.143";
+const CARGO_FUZZ: &str = "0.13.2";
+
+/// `cargo nextest`.
+pub fn nextest(workplace: &Workplace) -> Result<()> {
+    cargo_tool(workplace, "nextest", "cargo-nextest", NEXTEST)
+}
+
+/// `cargo fuzz`, with the C++ compiler that libFuzzer is built with.
+pub fn cargo_fuzz(workplace: &Workplace) -> Result<()> {
+    if !succeeds(&mut workplace.command("c++", &["--version"])) {
+        debian_package(workplace, "g++", "the command c++")?;
+    }
+    cargo_tool(workplace, "fuzz", "cargo-fuzz", CARGO_FUZZ)
+}
+
+/// The name of an installed nightly toolchain.
+pub fn nightly(workplace: &Workplace) -> Result<String> {
+    let list = read(&mut workplace.command("rustup", &["toolchain", "list"]))?;
+    let names = list.lines().filter_map(|line| line.split_whitespace().next());
+    names
+        .filter(|name| name.starts_with("nightly"))
+        .max()
+        .map(str::to_owned)
+        .context("libFuzzer needs a nightly toolchain: rustup toolchain install nightly --profile minimal")
+}
+
+/// The Python of a virtual environment with exactly the packages of `clients/requirements.txt`. A copy of
+/// that file lies in the environment; when the two differ, the environment is made anew.
+pub fn python(workplace: &Workplace) -> Result<PathBuf> {
+    let environment = workplace.target.join("venv");
+    let python = environment.join("bin/python");
+    let (wanted, present) =
+        (workplace.root.join("clients/requirements.txt"), environment.join("requirements.txt"));
+    let wanted = fs::read_to_string(&wanted).with_context(|| wanted.display().to_string())?;
+    if fs::read_to_string(&present).is_ok_and(|present| present == wanted)
+        && succeeds(&mut workplace.command(&python, &["--version"]))
+    {
+        return Ok(python);
+    }
+    if !succeeds(&mut workplace.command("python3", &["-c", "import ensurepip, venv"])) {
+        debian_package(workplace, "python3-venv", "the Python modules venv and ensurepip")?;
+    }
+    let shown = environment.to_string_lossy();
+    run(&mut workplace.command("python3", &["-m", "venv", "--clear", &shown]))?;
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", "-r"];
+    run(workplace.command(&python, &install).arg("clients/requirements.txt"))?;
+    run(&mut workplace.command(&python, &["-m", "pip", "check", "--disable-pip-version-check"]))?;
+    fs::write(&present, wanted).with_context(|| present.display().to_string())?;
+    Ok(python)
+}
+
+/// Installs a cargo subcommand into the target directory unless one is found.
+fn cargo_tool(workplace: &Workplace, subcommand: &str, package: &str, version: &str) -> Result<()> {
+    if succeeds(&mut workplace.command("cargo", &[subcommand, "--version"])) {
+        return Ok(());
+    }
+    let root = workplace.target.join("tools");
+    let arguments = ["install", "--quiet", "--locked", "--version", version, package, "--root"];
+    run(workplace.command("cargo", &arguments).arg(root))
+}
+
+/// Installs a Debian package, as root or with a sudo that asks for no password.
+fn debian_package(workplace: &Workplace, package: &str, what: &str) -> Result<()> {
+    let root = read(&mut workplace.command("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
+    let sudo: &[&str] = if root {
+        &[]
+    } else if succeeds(&mut workplace.command("sudo", &["-n", "true"])) {
+        &["sudo", "-n"]
+    } else {
+        bail!("{what} is missing, and only root may install it: apt-get install {package}");
+    };
+    let apt = |arguments: &[&str]| {
+        let words = [sudo, &["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"], arguments].concat();
+        run(&mut workplace.command(words[0], &words[1..]))
+    };
+    apt(&["update", "-qq"])?;
+    apt(&["install", "-qq", "--yes", "--no-install-recommends", package])
+        .with_context(|| format!("{what} is missing"))
+}
