@@ -1,0 +1,63 @@
+"""The program under test: `pulsetrain serve` as a child process, driven through its stable interface only."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import threading
+
+PROGRAM = pathlib.Path(
+    os.environ.get("PULSETRAIN", pathlib.Path(__file__).parents[1] / "target/release/pulsetrain")
+)
+START_TIMEOUT_S = 10
+STOP_TIMEOUT_S = 10
+
+
+class Server:
+    """A running server. `endpoints` has the `ready` lines as a dictionary from name to endpoint."""
+
+    def __init__(self, *arguments, devices):
+        self._process = subprocess.Popen(
+            [PROGRAM, "serve", *arguments, "--no-http"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True
+        )
+        self.endpoints = {}
+        # A child that never becomes ready is ended, which ends the reading of its output.
+        watchdog = threading.Timer(START_TIMEOUT_S, self._process.kill)
+        watchdog.start()
+        try:
+            while len(self.endpoints) < devices:
+                line = self._process.stdout.readline()
+                if not line:
+                    self._process.kill()
+                    raise RuntimeError(f"the server ended with {self._process.wait()} before it was ready")
+                word, name, endpoint = line.split(maxsplit=2)
+                assert word == "ready", line
+                self.endpoints[name] = endpoint.strip()
+        finally:
+            watchdog.cancel()
+
+    def stop(self, how=signal.SIGTERM):
+        """Asks the server to end and gives its exit status."""
+        self._process.send_signal(how)
+        try:
+            return self._process.wait(STOP_TIMEOUT_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            raise
+        finally:
+            self._process.stdout.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        status = self.stop()
+        if kind is None:
+            assert status == 0, f"the server ended with status {status}"
+
+
+def pulsetrain(*arguments):
+    """Runs the program to its end; fails, with what it said, unless its status is 0."""
+    done = subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
