@@ -22,6 +22,8 @@ pub enum Port {
 pub struct Drive {
     /// How far the magnetic field turns a pulse, in 1/256 of a full step; negative if it is reversed.
     pub step: i16,
+    /// Into how many parts the driver divides a pulse; 1 if it does not.
+    pub parts: u8,
     /// Coil current in 1/32 of the module's maximum: 0 (the motor turns freely) to 32.
     pub current: u8,
 }
@@ -46,6 +48,6 @@ pub trait Board {
     /// The load on the shaft now, in 1/1000 of the motor's pull-out torque at full current.
     fn load(&mut self, axis: usize) -> u16;
 
-    /// An analog quantity now, in the unit of the pin.
+    /// An analog quantity now, in the board's integers: units of the pin times its scale.
     fn analog(&mut self, pin: usize) -> i32;
 }

@@ -70,9 +70,9 @@ pub enum Wiring {
     Home(usize),
     /// The index mark of the axis' encoder.
     Index(usize),
-    /// The motor supply, in the pin's unit.
+    /// The motor supply.
     Supply,
-    /// The temperature of the driver, in the pin's unit.
+    /// The temperature of the driver.
     Temperature,
 }
 
@@ -85,9 +85,11 @@ pub struct Pin {
     pub kind: PinKind,
     /// Where it goes.
     pub wiring: Wiring,
-    /// What an analog pin's number means, for people: `mV`, `°C`.
+    /// What an analog pin's number means, for people: `V`, `°C`.
     pub unit: &'static str,
-    /// The level of the pin when nothing drives it: 0 or 1, or the analog value.
+    /// How many of the board's integers make one unit of an analog pin; 1 for others.
+    pub scale: i32,
+    /// The level of the pin when nothing drives it: 0 or 1, or the analog value in the board's integers.
     pub rest: i32,
 }
 
@@ -111,10 +113,14 @@ pub trait Controller {
 
     /// Lets time pass until the end of clock `now`: gives out the pulses made until then, runs programs,
     /// and does what was due. Never call it with an earlier time.
-    fn advance(&mut self, now: Ticks, board: &mut dyn Board);
+    ///
+    /// Gives the clock that was reached. It is earlier than `now` when an axis has arrived at the edge of
+    /// its [`window`](Self::set_window): inputs may change there, so the caller looks after them, sets the
+    /// next window and calls again.
+    fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks;
 
-    /// The clock at which something will happen by itself, or at which an axis reaches the edge of its
-    /// [`window`](Self::set_window); [`Ticks::MAX`] if nothing will.
+    /// The clock at which something will happen by itself, for callers that sleep until then;
+    /// [`Ticks::MAX`] if nothing will. Nobody has to stop there: [`advance`](Self::advance) passes over it.
     fn wake(&self) -> Ticks;
 
     /// Bytes arrive at a port.
@@ -128,7 +134,7 @@ pub trait Controller {
     fn analog_changed(&mut self, pin: usize, board: &mut dyn Board);
 
     /// Nothing outside changes while the axis' odometer (net pulses since power-up) stays strictly
-    /// between `low` and `high`; the controller wakes when it arrives at one of them.
+    /// between `low` and `high`; [`advance`](Self::advance) stops where it arrives at one of them.
     fn set_window(&mut self, axis: usize, low: i64, high: i64);
 
     /// The axis' odometer: net pulses put out since power-up. Unlike the position it is never set.

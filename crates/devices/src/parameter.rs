@@ -1,0 +1,145 @@
+//! One entry a parameter: everything that is known of it stands in its device's table.
+//!
+//! Reading, writing, storing, validation, include files, help and the conformance matrix derive from the
+//! entry. What only hosts need is left out of a build without `std`.
+
+/// What may be done with a parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Access(u8);
+
+impl Access {
+    /// It can be read.
+    pub const R: Self = Self(1);
+    /// Read and written.
+    pub const RW: Self = Self(3);
+    /// Read, written, and stored on command.
+    pub const RWE: Self = Self(7);
+    /// Read, written, and stored whenever it is written.
+    pub const RWA: Self = Self(11);
+
+    /// Whether it can be written.
+    pub const fn writable(self) -> bool {
+        self.0 & 2 != 0
+    }
+
+    /// Whether a store command applies to it.
+    pub const fn storable(self) -> bool {
+        self.0 & 4 != 0
+    }
+
+    /// Whether writing stores it.
+    pub const fn automatic(self) -> bool {
+        self.0 & 8 != 0
+    }
+
+    /// The letters of the manuals: `R`, `RW`, `RWE`, `RWA`.
+    pub const fn letters(self) -> &'static str {
+        match self.0 {
+            1 => "R",
+            3 => "RW",
+            7 => "RWE",
+            _ => "RWA",
+        }
+    }
+}
+
+/// What hosts and people want to know of a parameter.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug)]
+pub struct About {
+    /// Its name in the manual.
+    pub name: &'static str,
+    /// Its symbol in the assembler's include file.
+    pub symbol: &'static str,
+    /// Unit of the value; empty for a plain number.
+    pub unit: &'static str,
+    /// What it does, in a sentence.
+    pub text: &'static str,
+    /// The test that holds its effect.
+    pub test: &'static str,
+}
+
+/// A parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// Its number in commands.
+    pub number: u8,
+    /// The least value.
+    pub low: i32,
+    /// The greatest value. Less than `low` means that all 32 bits count, without a sign.
+    pub high: i32,
+    /// What may be done with it.
+    pub access: Access,
+    /// Its value from the factory.
+    pub default: i32,
+    /// For people.
+    #[cfg(feature = "std")]
+    pub about: About,
+}
+
+impl Parameter {
+    /// Whether it can have this value.
+    pub const fn allows(&self, value: i32) -> bool {
+        self.high < self.low || self.low <= value && value <= self.high
+    }
+
+    /// The entry with this number in a table sorted by number, and its place.
+    pub fn find(table: &'static [Self], number: u8) -> Option<(usize, &'static Self)> {
+        let place = table.binary_search_by_key(&number, |entry| entry.number).ok()?;
+        Some((place, &table[place]))
+    }
+}
+
+/// A table of parameters and a constant for the number of each.
+///
+/// ```text
+/// NUMBER NAME symbol, "name" [low, high] ACCESS = default "unit" "text" test;
+/// ```
+macro_rules! parameters {
+    ($(#[$doc:meta])* $table:ident { $($number:literal $constant:ident $symbol:ident, $name:literal
+        [$low:expr, $high:expr] $access:ident = $default:literal $unit:literal $text:literal $test:ident;)* }) => {
+        $(#[doc = $text] pub const $constant: u8 = $number;)*
+
+        $(#[$doc])*
+        pub static $table: &[$crate::parameter::Parameter] = &[$($crate::parameter::Parameter {
+            number: $number,
+            low: $low,
+            high: $high,
+            access: $crate::parameter::Access::$access,
+            default: $default,
+            #[cfg(feature = "std")]
+            about: $crate::parameter::About {
+                name: $name,
+                symbol: stringify!($symbol),
+                unit: $unit,
+                text: $text,
+                test: stringify!($test),
+            },
+        }),*];
+    };
+}
+pub(crate) use parameters;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    parameters! {
+        /// A table.
+        TABLE {
+            3 LOW Low, "low" [-5, 7] RW = 0 "" "With a sign." none;
+            9 ALL All, "all" [0, -1] RWA = 0 "" "All bits." none;
+        }
+    }
+
+    #[test]
+    fn ranges() {
+        let (place, low) = Parameter::find(TABLE, LOW).unwrap();
+        assert_eq!(place, 0);
+        assert!(low.allows(-5) && low.allows(7) && !low.allows(8) && !low.allows(-6));
+        let (place, all) = Parameter::find(TABLE, ALL).unwrap();
+        assert_eq!(place, 1);
+        assert!(all.allows(i32::MIN) && all.allows(-1));
+        assert!(Parameter::find(TABLE, 4).is_none());
+    }
+}
