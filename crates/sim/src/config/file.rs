@@ -1,0 +1,316 @@
+//! The bench file: TOML to [`Bench`], every mistake as one line with file, line and key.
+
+use super::{
+    AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint, MAX_DEVICES,
+    MAX_PULSES,
+};
+use crate::flash::SharedFlash;
+use devices::Model;
+use serde::Deserialize;
+use std::{collections::BTreeMap, path::Path};
+use toml::{
+    Spanned,
+    de::{DeTable, DeValue},
+};
+
+/// Why a bench file cannot be used; one line of text.
+#[derive(Debug, thiserror::Error)]
+pub enum BenchError {
+    /// The file cannot be read.
+    #[error("{file}: {problem}")]
+    Read {
+        /// Name of the file.
+        file: String,
+        /// What the system says.
+        problem: std::io::Error,
+    },
+    /// It is not TOML.
+    #[error("{file}:{line}: {problem}")]
+    Syntax {
+        /// Name of the file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong.
+        problem: String,
+    },
+    /// An entry is unknown, missing or impossible.
+    #[error("{file}:{line}: {key}: {problem}")]
+    Entry {
+        /// Name of the file.
+        file: String,
+        /// Line, from 1.
+        line: usize,
+        /// The key with all tables that it is in, as `device.axis.X.home`.
+        key: String,
+        /// What is wrong.
+        problem: String,
+    },
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BenchFile {
+    device: Vec<DeviceEntry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct DeviceEntry {
+    model: String,
+    name: Option<String>,
+    #[serde(default)]
+    listen: Vec<String>,
+    supply: Option<f64>,
+    temperature: Option<f64>,
+    seed: Option<u64>,
+    #[serde(default)]
+    axis: BTreeMap<String, AxisEntry>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AxisEntry {
+    negative_limit: Option<i64>,
+    positive_limit: Option<i64>,
+    home: Option<[i64; 2]>,
+    index_every: Option<i64>,
+    encoder_ratio: Option<f64>,
+    backlash: Option<i64>,
+    load: Option<f64>,
+    hard_stops: Option<[i64; 2]>,
+}
+
+pub(super) fn read(path: &Path) -> Result<Bench, BenchError> {
+    let file = path.display().to_string();
+    match std::fs::read_to_string(path) {
+        Ok(text) => parse(&text, &file, devices::MODELS),
+        Err(problem) => Err(BenchError::Read { file, problem }),
+    }
+}
+
+pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<Bench, BenchError> {
+    let source = Source { text, file };
+    let document = DeTable::parse(text).map_err(|error| source.syntax(&error))?;
+    let bench: BenchFile =
+        toml::from_str(text).map_err(|error| source.mistyped(document.get_ref(), &error))?;
+    let at = |path: &[&str], problem: String| source.entry(document.get_ref(), path, problem);
+
+    if bench.device.len() > MAX_DEVICES {
+        return Err(at(&["device"], format!("{MAX_DEVICES} devices at most")));
+    }
+    let mut devices: Vec<DeviceConfig> = Vec::new();
+    for (index, entry) in bench.device.into_iter().enumerate() {
+        let number = index.to_string();
+        let wrong = |path: &[&str], problem: String| at(&[&["device", &number], path].concat(), problem);
+        let device = device(entry, models, &wrong)?;
+        if devices.iter().any(|other| other.name == device.name) {
+            return Err(wrong(&["name"], format!("there is already a device named `{}`", device.name)));
+        }
+        devices.push(device);
+    }
+    Ok(Bench { devices })
+}
+
+type Wrong<'a> = &'a dyn Fn(&[&str], String) -> BenchError;
+
+fn device(
+    entry: DeviceEntry,
+    models: &'static [Model],
+    wrong: Wrong<'_>,
+) -> Result<DeviceConfig, BenchError> {
+    let Some(model) = models.iter().find(|model| model.name == entry.model) else {
+        let known: Vec<_> = models.iter().map(|model| model.name).collect();
+        return Err(wrong(
+            &["model"],
+            format!("unknown model `{}`, known: {}", entry.model, known.join(", ")),
+        ));
+    };
+    let name = entry.name.unwrap_or_else(|| model.name.into());
+    if !is_name(&name) {
+        return Err(wrong(&["name"], format!("`{name}` is not a name: letters, digits, `.`, `_`, `-`")));
+    }
+    let mut listen = Vec::new();
+    for text in &entry.listen {
+        let endpoint: Endpoint = text.parse().map_err(|error| wrong(&["listen"], format!("{error}")))?;
+        if listen.contains(&endpoint) && endpoint.can_be_shared() {
+            return Err(wrong(&["listen"], format!("`{text}` is there twice")));
+        }
+        listen.push(endpoint);
+    }
+    let supply_v = entry.supply.unwrap_or(DEFAULT_SUPPLY_V);
+    if !(0.0..=1000.0).contains(&supply_v) {
+        return Err(wrong(&["supply"], format!("{supply_v} V is outside 0 to 1000 V")));
+    }
+    let temperature_c = entry.temperature.unwrap_or(DEFAULT_TEMPERATURE_C);
+    if !(-273.0..=1000.0).contains(&temperature_c) {
+        return Err(wrong(&["temperature"], format!("{temperature_c} °C is outside -273 to 1000 °C")));
+    }
+    let names = axis_names(model);
+    let mut axes = BTreeMap::new();
+    for (axis, entry) in entry.axis {
+        if !names.contains(&axis.as_str()) {
+            let problem = format!("unknown axis `{axis}`, {} has: {}", model.name, names.join(", "));
+            return Err(wrong(&["axis", &axis], problem));
+        }
+        let config = axis_config(model, entry, &|key, problem| wrong(&["axis", &axis, key], problem))?;
+        axes.insert(axis, config);
+    }
+    Ok(DeviceConfig { model, name, listen, axes, supply_v, temperature_c, seed: entry.seed })
+}
+
+fn axis_config(
+    model: &Model,
+    entry: AxisEntry,
+    wrong: &dyn Fn(&str, String) -> BenchError,
+) -> Result<AxisConfig, BenchError> {
+    let usual = AxisConfig::of_model(model.name);
+    // Said only where it was given, so that the message points to a line that exists.
+    let limit_key = if entry.positive_limit.is_some() { "positive_limit" } else { "negative_limit" };
+    let config = AxisConfig {
+        negative_limit: entry.negative_limit.unwrap_or(usual.negative_limit),
+        positive_limit: entry.positive_limit.unwrap_or(usual.positive_limit),
+        home: entry.home.unwrap_or(usual.home),
+        index_every: entry.index_every.unwrap_or(usual.index_every),
+        encoder_ratio: entry.encoder_ratio.unwrap_or(usual.encoder_ratio),
+        backlash: entry.backlash.unwrap_or(usual.backlash),
+        load: entry.load.unwrap_or(usual.load),
+        hard_stops: entry.hard_stops,
+    };
+    let [home, stops] = [config.home, config.hard_stops.unwrap_or([-1, 1])];
+    let positions = [
+        ("negative_limit", config.negative_limit),
+        ("positive_limit", config.positive_limit),
+        ("home", home[0]),
+        ("home", home[1]),
+        ("hard_stops", stops[0]),
+        ("hard_stops", stops[1]),
+    ];
+    for (key, position) in positions {
+        if !(-MAX_PULSES..=MAX_PULSES).contains(&position) {
+            return Err(wrong(key, format!("{position} is outside -{MAX_PULSES} to {MAX_PULSES} pulses")));
+        }
+    }
+    let [low, high] = [config.negative_limit, config.positive_limit];
+    if low >= high {
+        let problem = format!("the negative limit {low} must lie below the positive limit {high}");
+        return Err(wrong(limit_key, problem));
+    }
+    if home[0] > home[1] {
+        return Err(wrong("home", format!("{} must not lie above {}", home[0], home[1])));
+    }
+    if stops[0] > 0 || stops[1] < 0 || stops[0] == stops[1] {
+        return Err(wrong("hard_stops", "0, where the axis starts, must lie between the stops".into()));
+    }
+    if !(1..=MAX_PULSES).contains(&config.index_every) {
+        return Err(wrong(
+            "index_every",
+            format!("{} is outside 1 to {MAX_PULSES} pulses", config.index_every),
+        ));
+    }
+    if !(0..=MAX_PULSES).contains(&config.backlash) {
+        return Err(wrong("backlash", format!("{} is outside 0 to {MAX_PULSES} pulses", config.backlash)));
+    }
+    // The ratio becomes a fraction with 32 bits below the point.
+    if !(1e-6..=1e6).contains(&config.encoder_ratio.abs()) {
+        let problem = format!("{} is outside 0.000001 to 1000000 counts a pulse", config.encoder_ratio);
+        return Err(wrong("encoder_ratio", problem));
+    }
+    if !(0.0..=1000.0).contains(&config.load) {
+        return Err(wrong("load", format!("{} is outside 0 to 1000", config.load)));
+    }
+    Ok(config)
+}
+
+/// A name is also a file's name and a part of a URL.
+fn is_name(name: &str) -> bool {
+    !name.starts_with('.')
+        && (1..=64).contains(&name.len())
+        && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))
+}
+
+/// Only a controller itself knows its axes.
+fn axis_names(model: &Model) -> &'static [&'static str] {
+    (model.build)(Box::new(SharedFlash::erased(model.flash_bytes)), 0).axes()
+}
+
+struct Source<'a> {
+    text: &'a str,
+    file: &'a str,
+}
+
+impl Source<'_> {
+    fn line(&self, offset: usize) -> usize {
+        self.text.bytes().take(offset).filter(|byte| *byte == b'\n').count() + 1
+    }
+
+    fn syntax(&self, error: &toml::de::Error) -> BenchError {
+        let line = self.line(error.span().map_or(0, |span| span.start));
+        BenchError::Syntax { file: self.file.into(), line, problem: one_line(error.message()) }
+    }
+
+    /// What serde found wrong, with the key that its span lies in.
+    fn mistyped(&self, document: &DeTable<'_>, error: &toml::de::Error) -> BenchError {
+        let offset = error.span().map_or(0, |span| span.start);
+        let mut keys = Vec::new();
+        let key = if find(document, offset, &mut keys) { keys.join(".") } else { "bench file".into() };
+        let line = self.line(offset);
+        BenchError::Entry { file: self.file.into(), line, key, problem: one_line(error.message()) }
+    }
+
+    /// An entry by its path, in which an element of an array is its number. Where the entry is not in
+    /// the file the innermost table that is there is meant.
+    fn entry(&self, document: &DeTable<'_>, path: &[&str], problem: String) -> BenchError {
+        let mut offset = 0;
+        let mut table = Some(document);
+        let mut array = None;
+        for key in path {
+            let (place, value) = match (table, array) {
+                (Some(table), _) => match table.get_key_value(*key) {
+                    Some((key, value)) => (key.span().start, value),
+                    None => break,
+                },
+                (None, Some(elements)) => {
+                    let elements: &toml::de::DeArray<'_> = elements;
+                    let value = key.parse().ok().and_then(|index: usize| elements.get(index));
+                    let Some(value) = value else { break };
+                    (value.span().start, value)
+                }
+                _ => break,
+            };
+            offset = place;
+            table = value.get_ref().as_table();
+            array = value.get_ref().as_array();
+        }
+        let keys: Vec<_> = path.iter().copied().filter(|key| *key != "axis" || path.len() > 3).collect();
+        let keys: Vec<_> =
+            keys.iter().enumerate().filter(|(place, _)| *place != 1).map(|(_, key)| *key).collect();
+        BenchError::Entry { file: self.file.into(), line: self.line(offset), key: keys.join("."), problem }
+    }
+}
+
+/// Finds the innermost key that `offset` lies in.
+fn find(table: &DeTable<'_>, offset: usize, keys: &mut Vec<String>) -> bool {
+    table.iter().any(|(key, value)| {
+        keys.push(key.get_ref().to_string());
+        let inside = key.span().contains(&offset) || find_in(value, offset, keys);
+        if !inside {
+            keys.pop();
+        }
+        inside
+    })
+}
+
+fn find_in(value: &Spanned<DeValue<'_>>, offset: usize, keys: &mut Vec<String>) -> bool {
+    // The span of a table ends with its heading, its entries may come later.
+    let nested = match value.get_ref() {
+        DeValue::Table(table) => find(table, offset, keys),
+        DeValue::Array(values) => values.iter().any(|value| find_in(value, offset, keys)),
+        _ => false,
+    };
+    nested || value.span().contains(&offset)
+}
+
+fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,186 @@
+//! Which devices there are, where they listen, and what machine each of them moves.
+
+mod endpoint;
+mod file;
+
+pub use endpoint::{Endpoint, EndpointError};
+pub use file::BenchError;
+
+use crate::machine::fitting::fitting;
+use devices::Model;
+use std::{collections::BTreeMap, fmt, path::Path};
+
+/// Positions of switches and the like lie this many pulses from 0 at most.
+pub const MAX_PULSES: i64 = 1 << 40;
+
+/// Most devices of one bench file.
+pub const MAX_DEVICES: usize = 256;
+
+/// Seconds, volts and the like have a default so that a device needs nothing but its model.
+pub const DEFAULT_SUPPLY_V: f64 = 24.0;
+
+/// Temperature of the driver stage where a bench file names none, in °C.
+pub const DEFAULT_TEMPERATURE_C: f64 = 25.0;
+
+/// A bench file: all devices on the bench.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bench {
+    /// In the order of the file.
+    pub devices: Vec<DeviceConfig>,
+}
+
+impl Bench {
+    /// Reads a bench file.
+    ///
+    /// # Errors
+    /// [`BenchError`], with the line and key at fault.
+    pub fn read(path: &Path) -> Result<Self, BenchError> {
+        file::read(path)
+    }
+
+    /// Reads the text of a bench file; `file` is its name for messages.
+    ///
+    /// # Errors
+    /// [`BenchError`], with the line and key at fault.
+    pub fn parse(text: &str, file: &str) -> Result<Self, BenchError> {
+        file::parse(text, file, devices::MODELS)
+    }
+}
+
+/// One device.
+#[derive(Clone)]
+pub struct DeviceConfig {
+    /// What it is.
+    pub model: &'static Model,
+    /// What it is called, by default like its model. Letters, digits and `.`, `_`, `-`.
+    pub name: String,
+    /// Where it listens.
+    pub listen: Vec<Endpoint>,
+    /// The machine, by the name of the axis.
+    pub axes: BTreeMap<String, AxisConfig>,
+    /// Motor supply in volts.
+    pub supply_v: f64,
+    /// Temperature of the driver stage in °C.
+    pub temperature_c: f64,
+    /// What its random numbers start from; `None` leaves it to whoever builds the device.
+    pub seed: Option<u64>,
+}
+
+impl DeviceConfig {
+    /// A device with everything at its default.
+    pub fn new(model: &'static Model) -> Self {
+        Self {
+            model,
+            name: model.name.into(),
+            listen: Vec::new(),
+            axes: BTreeMap::new(),
+            supply_v: DEFAULT_SUPPLY_V,
+            temperature_c: DEFAULT_TEMPERATURE_C,
+            seed: None,
+        }
+    }
+
+    /// The machine at this axis, which is the model's usual one where nothing else was said.
+    pub fn axis(&self, name: &str) -> AxisConfig {
+        self.axes.get(name).copied().unwrap_or_else(|| AxisConfig::of_model(self.model.name))
+    }
+}
+
+// A model is its name; the function that builds it has no sensible form in print or comparison.
+impl fmt::Debug for DeviceConfig {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("DeviceConfig")
+            .field("model", &self.model.name)
+            .field("name", &self.name)
+            .field("listen", &self.listen)
+            .field("axes", &self.axes)
+            .field("supply_v", &self.supply_v)
+            .field("temperature_c", &self.temperature_c)
+            .field("seed", &self.seed)
+            .finish()
+    }
+}
+
+impl PartialEq for DeviceConfig {
+    fn eq(&self, other: &Self) -> bool {
+        self.model.name == other.model.name
+            && self.name == other.name
+            && self.listen == other.listen
+            && self.axes == other.axes
+            && self.supply_v == other.supply_v
+            && self.temperature_c == other.temperature_c
+            && self.seed == other.seed
+    }
+}
+
+/// The machine at one axis. Positions are pulses at full resolution (1/256 of a full step for a driver
+/// with microsteps) from where the axis stands when it is switched on for the first time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisConfig {
+    /// The switch at the negative end is on here and below.
+    pub negative_limit: i64,
+    /// The switch at the positive end is on here and above.
+    pub positive_limit: i64,
+    /// The home switch is on from the first to the second position, both included.
+    pub home: [i64; 2],
+    /// Pulses from one index mark of the external encoder to the next; one is at 0.
+    pub index_every: i64,
+    /// Counts of the external encoder a pulse, after decoding; a built-in encoder has its own resolution
+    /// times this. Negative if it counts backwards.
+    pub encoder_ratio: f64,
+    /// Play between the motor and what it drives, in pulses.
+    pub backlash: i64,
+    /// Load as a part of the motor's pull-out torque at full current; above 1 it stalls.
+    pub load: f64,
+    /// Where the axis hits something that does not give way, if anywhere: it stalls there.
+    pub hard_stops: Option<[i64; 2]>,
+}
+
+impl AxisConfig {
+    /// What a model's axis has unless a bench file says otherwise.
+    pub fn of_model(model: &str) -> Self {
+        let limit = fitting(model).limit;
+        Self {
+            negative_limit: -limit,
+            positive_limit: limit,
+            home: [-200, 0],
+            index_every: 4000,
+            encoder_ratio: 1.0,
+            backlash: 0,
+            load: 0.0,
+            hard_stops: None,
+        }
+    }
+}
+
+/// An endpoint with the devices behind it; more than one make a shared RS-485 bus.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Bus {
+    /// Where it is.
+    pub endpoint: Endpoint,
+    /// Indices of the devices.
+    pub members: Vec<usize>,
+}
+
+impl Bus {
+    /// Whether several devices share it, so that addresses count.
+    pub fn is_shared(&self) -> bool {
+        self.members.len() > 1
+    }
+}
+
+/// All endpoints of some devices, in the order in which they are first named. The same endpoint is one
+/// bus, except that a port 0 is an endpoint of its own each time.
+pub fn buses(devices: &[DeviceConfig]) -> Vec<Bus> {
+    let mut buses: Vec<Bus> = Vec::new();
+    for (index, device) in devices.iter().enumerate() {
+        for endpoint in &device.listen {
+            let known = buses.iter_mut().find(|bus| endpoint.can_be_shared() && bus.endpoint == *endpoint);
+            match known {
+                Some(bus) => bus.members.push(index),
+                None => buses.push(Bus { endpoint: endpoint.clone(), members: vec![index] }),
+            }
+        }
+    }
+    buses
+}

@@ -1,0 +1,465 @@
+//! A controller in its machine, and the loop that lets their time pass.
+
+mod pins;
+mod schedule;
+mod state;
+mod world;
+
+pub use pins::{ParsePinValueError, PinError, PinValue};
+pub use schedule::{Input, TimedInput, TimedInputError};
+pub use state::{AxisView, DeviceState, ProgramView};
+pub use world::{MAX_SENT, Sent};
+
+use crate::{
+    config::{DeviceConfig, MAX_PULSES},
+    flash::SharedFlash,
+    record::{Mark, RecordError, RecordInfo, Recorder},
+};
+use devices::{AxisState, Controller, Pin, PinKind, Port, ProgramState};
+use motion::Ticks;
+use schedule::Schedule;
+use world::World;
+
+/// How often something may happen at one and the same clock before it is a fault of the controller.
+const MAX_STANDSTILL: u32 = 100_000;
+
+/// How often inputs may change one another at one and the same clock.
+const MAX_SETTLING: u32 = 1000;
+
+/// Most programs of a device.
+const MAX_PROGRAMS: usize = 16;
+
+/// Why an axis cannot be loaded or pushed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum AxisError {
+    /// The device has no such axis.
+    #[error("there is no axis `{name}`, the device has: {known}")]
+    Unknown {
+        /// The name that was asked for.
+        name: String,
+        /// All names.
+        known: String,
+    },
+    /// A load is a number from 0 to 1000, a push goes [`MAX_PULSES`] at most.
+    #[error("the value is out of range")]
+    Range,
+}
+
+/// A controller with its flash, and the machine behind its pins, in virtual time.
+///
+/// Times are clocks of the device, counted from its making; they go on when the power is cycled. Every
+/// call happens at [`now`](Self::now), and only [`advance`](Self::advance) moves that.
+pub struct VirtualDevice {
+    config: DeviceConfig,
+    seed: u64,
+    flash: SharedFlash,
+    controller: Box<dyn Controller + Send>,
+    clock_hz: u32,
+    world: World,
+    schedule: Schedule,
+    /// The level of each input as the controller knows it.
+    told: Vec<i32>,
+    /// Where each pin's shaft was then.
+    places: Vec<i64>,
+    moving: Vec<bool>,
+}
+
+impl VirtualDevice {
+    /// A device fresh from the factory, switched on. `seed` counts where the configuration has none.
+    pub fn new(config: &DeviceConfig, seed: u64) -> Self {
+        Self::with_flash(config, SharedFlash::erased(config.model.flash_bytes), seed)
+    }
+
+    /// A device with this flash, switched on.
+    ///
+    /// # Panics
+    /// If the flash has another size than the model needs.
+    pub fn with_flash(config: &DeviceConfig, flash: SharedFlash, seed: u64) -> Self {
+        assert_eq!(flash.len(), config.model.flash_bytes, "the flash must be the model's");
+        let seed = config.seed.unwrap_or(seed);
+        flash.set_seed(seed);
+        flash.restore_power();
+        let controller = (config.model.build)(Box::new(flash.clone()), seed);
+        let (axes, pins) = (controller.axes(), controller.pins());
+        let mut device = Self {
+            config: config.clone(),
+            seed,
+            flash,
+            clock_hz: controller.clock_hz(),
+            world: World::new(config, axes, pins),
+            schedule: Schedule::default(),
+            told: Vec::new(),
+            places: Vec::new(),
+            moving: Vec::new(),
+            controller,
+        };
+        device.start();
+        device
+    }
+
+    /// What it was made from.
+    pub fn config(&self) -> &DeviceConfig {
+        &self.config
+    }
+
+    /// The memory that outlives the power.
+    pub fn flash(&self) -> &SharedFlash {
+        &self.flash
+    }
+
+    /// Clocks a second.
+    pub fn clock_hz(&self) -> u32 {
+        self.clock_hz
+    }
+
+    /// Device time in clocks.
+    pub fn now(&self) -> Ticks {
+        self.world.now()
+    }
+
+    /// Device time in seconds.
+    pub fn seconds(&self) -> f64 {
+        self.now() as f64 / f64::from(self.clock_hz)
+    }
+
+    /// A span in clocks, rounded to the nearest; as long as there is if it is too long.
+    pub fn ticks(&self, seconds: f64) -> Ticks {
+        (seconds * f64::from(self.clock_hz)).round() as Ticks
+    }
+
+    /// When something will happen by itself; [`Ticks::MAX`] if nothing will.
+    pub fn wake(&self) -> Ticks {
+        let own = self.controller.wake();
+        let own = if own == Ticks::MAX { own } else { own.saturating_add(self.world.origin) };
+        own.min(self.schedule.next()).min(self.world.next_sample())
+    }
+
+    /// Lets time pass until the end of clock `until`. An earlier time than now is now.
+    pub fn advance(&mut self, until: Ticks) {
+        let mut standstill = 0;
+        loop {
+            let before = self.now();
+            let now = self.wake().min(until).max(before);
+            self.step(now);
+            if now >= until && self.wake() > now {
+                return;
+            }
+            standstill = if now == before { standstill + 1 } else { 0 };
+            assert!(standstill < MAX_STANDSTILL, "{} makes no progress at clock {now}", self.config.name);
+        }
+    }
+
+    /// Bytes arrive at a port.
+    pub fn receive(&mut self, port: Port, bytes: &[u8]) {
+        self.controller.receive(port, bytes, &mut self.world);
+        self.settle();
+    }
+
+    /// Takes what was sent since the last time, oldest first.
+    pub fn drain_sent(&mut self) -> impl Iterator<Item = Sent> + '_ {
+        self.world.sent.drain(..)
+    }
+
+    /// The pins.
+    pub fn pins(&self) -> &'static [Pin] {
+        self.world.pins
+    }
+
+    /// The names of the axes.
+    pub fn axes(&self) -> &'static [&'static str] {
+        self.controller.axes()
+    }
+
+    /// What is on a pin.
+    ///
+    /// # Errors
+    /// [`PinError::Unknown`].
+    pub fn read_pin(&self, name: &str) -> Result<PinValue, PinError> {
+        let pin = pins::find(self.pins(), name)?;
+        Ok(pins::from_level(&self.pins()[pin], self.world.level(pin)))
+    }
+
+    /// Drives an input by hand, whatever the machine does, until it is released.
+    ///
+    /// # Errors
+    /// [`PinError`].
+    pub fn drive_pin(&mut self, name: &str, value: PinValue) -> Result<(), PinError> {
+        let pin = pins::find(self.pins(), name)?;
+        let level = pins::to_drive(&self.pins()[pin], value)?;
+        self.put(pin, Some(level));
+        Ok(())
+    }
+
+    /// Gives an input back to the machine.
+    ///
+    /// # Errors
+    /// [`PinError::Unknown`] and [`PinError::Output`].
+    pub fn release_pin(&mut self, name: &str) -> Result<(), PinError> {
+        let pin = self.input_pin(name)?;
+        self.put(pin, None);
+        Ok(())
+    }
+
+    /// Plans a change of an input for device time `at`; an earlier time than now is now. For a digital
+    /// pin the numbers 0 and 1 are levels too.
+    ///
+    /// # Errors
+    /// [`PinError`].
+    pub fn schedule(&mut self, at: Ticks, input: &Input) -> Result<(), PinError> {
+        let pin = self.input_pin(&input.pin)?;
+        let level = match input.value {
+            None => None,
+            Some(value) => {
+                let digital = self.pins()[pin].kind != PinKind::Analog;
+                let value = match value {
+                    PinValue::Number(number) if digital && (number == 0.0 || number == 1.0) => {
+                        PinValue::Level(number == 1.0)
+                    }
+                    value => value,
+                };
+                Some(pins::to_drive(&self.pins()[pin], value)?)
+            }
+        };
+        self.schedule.add(at.max(self.now()), pin, level);
+        Ok(())
+    }
+
+    /// Sets the load of an axis in parts of the motor's pull-out torque at full current.
+    ///
+    /// # Errors
+    /// [`AxisError`].
+    pub fn set_load(&mut self, axis: &str, load: f64) -> Result<(), AxisError> {
+        let axis = self.axis_index(axis)?;
+        if !(0.0..=1000.0).contains(&load) {
+            return Err(AxisError::Range);
+        }
+        self.world.machine.set_load(axis, load);
+        self.world.windows[axis] = None;
+        self.settle();
+        Ok(())
+    }
+
+    /// Turns the motor of an axis from outside, by 1/256 full steps.
+    ///
+    /// # Errors
+    /// [`AxisError`].
+    pub fn push(&mut self, axis: &str, distance: i64) -> Result<(), AxisError> {
+        let axis = self.axis_index(axis)?;
+        if !(-MAX_PULSES..=MAX_PULSES).contains(&distance) {
+            return Err(AxisError::Range);
+        }
+        self.world.machine.push(axis, distance);
+        self.world.windows[axis] = None;
+        self.world.stirred = true;
+        self.settle();
+        Ok(())
+    }
+
+    /// Where the driven side of an axis really is, in 1/256 full steps from where it first stood.
+    ///
+    /// # Errors
+    /// [`AxisError::Unknown`].
+    pub fn shaft(&self, axis: &str) -> Result<i64, AxisError> {
+        Ok(self.world.machine.position(self.axis_index(axis)?))
+    }
+
+    /// Switches the supply off and on again. Flash operations that are running come to their end.
+    pub fn power_cycle(&mut self) {
+        self.flash.finish();
+        self.restart();
+    }
+
+    /// Cuts the supply and switches it on again. What flash had not finished is lost or torn.
+    pub fn power_cut(&mut self) {
+        self.tell_flash_the_time();
+        self.flash.cut_now();
+        self.restart();
+    }
+
+    /// The counters and status of an axis by its number.
+    ///
+    /// # Panics
+    /// If there is no axis of this number.
+    pub fn axis(&mut self, axis: usize) -> AxisState {
+        self.controller.axis(axis, &mut self.world)
+    }
+
+    /// The state of a program by its number; `None` past the last.
+    pub fn program(&self, index: usize) -> Option<ProgramState> {
+        self.controller.program(index)
+    }
+
+    /// The states of all programs.
+    pub fn programs(&self) -> impl Iterator<Item = ProgramState> + '_ {
+        (0..MAX_PROGRAMS).map_while(|index| self.program(index))
+    }
+
+    /// What the device is doing, for people and their tools.
+    pub fn state(&mut self) -> DeviceState {
+        let axes = self.axes();
+        DeviceState {
+            axes: axes.iter().enumerate().map(|(index, name)| (*name, self.axis(index).into())).collect(),
+            programs: self.programs().map(Into::into).collect(),
+            device_seconds: self.seconds(),
+        }
+    }
+
+    /// What a recorder has to know.
+    pub fn record_info(&self) -> RecordInfo {
+        let (device, clock_hz) = (self.config.name.clone(), self.clock_hz);
+        RecordInfo { device, clock_hz, axes: self.axes(), pins: self.pins() }
+    }
+
+    /// Tells this recorder of everything from now on.
+    pub fn add_recorder(&mut self, recorder: Box<dyn Recorder + Send>) {
+        self.moving = self.movement();
+        self.world.add_recorder(recorder);
+    }
+
+    /// Ends all recordings.
+    ///
+    /// # Errors
+    /// The first [`RecordError`]; the other recordings are finished all the same.
+    pub fn finish_recordings(&mut self) -> Result<(), RecordError> {
+        let now = self.now();
+        let mut result = Ok(());
+        for mut recorder in self.world.take_recorders() {
+            result = result.and(recorder.finish(now));
+        }
+        result
+    }
+
+    fn axis_index(&self, name: &str) -> Result<usize, AxisError> {
+        let axes = self.axes();
+        let found = axes.iter().position(|axis| *axis == name);
+        found.ok_or_else(|| AxisError::Unknown { name: name.into(), known: axes.join(", ") })
+    }
+
+    fn input_pin(&self, name: &str) -> Result<usize, PinError> {
+        let pin = pins::find(self.pins(), name)?;
+        if self.pins()[pin].kind == PinKind::Output {
+            return Err(PinError::Output(name.into()));
+        }
+        Ok(pin)
+    }
+
+    /// Puts a level on an input, or releases it.
+    fn put(&mut self, pin: usize, level: Option<i32>) {
+        let before = self.world.level(pin);
+        self.world.drive_input(pin, level);
+        if self.pins()[pin].kind == PinKind::Analog {
+            let level = self.world.level(pin);
+            if level != before {
+                self.world.record_pin(pin, level);
+                self.controller.analog_changed(pin, &mut self.world);
+            }
+        }
+        self.settle();
+    }
+
+    fn restart(&mut self) {
+        self.flash.restore_power();
+        self.world.power_up();
+        self.controller = (self.config.model.build)(Box::new(self.flash.clone()), self.seed);
+        self.start();
+    }
+
+    /// The first moment of a controller: it is told what its inputs are unless they are at rest.
+    fn start(&mut self) {
+        let pins = self.pins();
+        self.told = pins.iter().map(|pin| pin.rest).collect();
+        self.places = (0..pins.len()).map(|pin| self.world.machine.place_of(pin)).collect();
+        self.tell_flash_the_time();
+        self.controller.advance(0, &mut self.world);
+        for (pin, description) in pins.iter().enumerate() {
+            if description.kind == PinKind::Analog && self.world.level(pin) != description.rest {
+                self.controller.analog_changed(pin, &mut self.world);
+            }
+        }
+        self.world.stirred = true;
+        self.settle();
+        self.moving = self.movement();
+    }
+
+    /// Goes to device time `now`, at which something is due or nothing.
+    fn step(&mut self, now: Ticks) {
+        let clock = now - self.world.origin;
+        self.world.clock = clock;
+        self.tell_flash_the_time();
+        self.controller.advance(clock, &mut self.world);
+        self.settle();
+        while let Some(due) = self.schedule.take(now) {
+            self.put(due.pin, due.level);
+        }
+        if self.world.is_recording() {
+            self.record();
+        }
+    }
+
+    fn tell_flash_the_time(&self) {
+        self.flash.set_time(self.now(), self.clock_hz);
+    }
+
+    /// Tells the controller of inputs that changed, until none does, and how far it can go from there.
+    fn settle(&mut self) {
+        let mut rounds = 0;
+        while std::mem::take(&mut self.world.stirred) {
+            for pin in 0..self.world.pins.len() {
+                self.look_at(pin);
+            }
+            rounds += 1;
+            assert!(rounds < MAX_SETTLING, "the inputs of {} do not settle", self.config.name);
+        }
+        for axis in 0..self.world.windows.len() {
+            let window = self.world.window(axis, |pin| self.controller.watches(pin));
+            if self.world.windows[axis] != Some(window) {
+                self.world.windows[axis] = Some(window);
+                self.controller.set_window(axis, window.0, window.1);
+            }
+        }
+    }
+
+    fn look_at(&mut self, pin: usize) {
+        if !matches!(self.world.pins[pin].kind, PinKind::Input | PinKind::Index(_)) {
+            return;
+        }
+        let from = std::mem::replace(&mut self.places[pin], self.world.machine.place_of(pin));
+        let level = self.world.level(pin);
+        if level != self.told[pin] {
+            self.tell(pin, level);
+        } else if self.world.is_free(pin)
+            && self.world.machine.is_jumped(pin, from)
+            && self.controller.watches(pin)
+        {
+            // Full steps are longer than some marks: it was on within a pulse.
+            self.tell(pin, 1 - level);
+            self.tell(pin, level);
+        }
+    }
+
+    fn tell(&mut self, pin: usize, level: i32) {
+        self.told[pin] = level;
+        self.world.record_pin(pin, level);
+        self.controller.input(pin, level != 0, &mut self.world);
+    }
+
+    fn movement(&mut self) -> Vec<bool> {
+        (0..self.axes().len()).map(|axis| self.axis(axis).speed_mpps != 0).collect()
+    }
+
+    fn record(&mut self) {
+        let states: Vec<_> = (0..self.axes().len()).map(|axis| self.axis(axis)).collect();
+        for (axis, state) in states.iter().enumerate() {
+            let moving = state.speed_mpps != 0;
+            if std::mem::replace(&mut self.moving[axis], moving) != moving {
+                let mark = match moving {
+                    true => Mark::Started,
+                    false if state.position == state.target => Mark::TargetReached,
+                    false => Mark::Stopped,
+                };
+                self.world.record_mark(axis, mark);
+            }
+        }
+        self.world.sample(&states);
+    }
+}

@@ -1,0 +1,217 @@
+//! The machine behind the pins: shafts, switches, encoders, supply.
+//!
+//! Trains turn shafts; everything else follows from where the shafts are. The machine says how far each
+//! axis can go before an input changes, and the controller stops at exactly that pulse.
+
+mod encoder;
+pub(crate) mod fitting;
+mod shaft;
+mod zone;
+
+use crate::config::DeviceConfig;
+use devices::{Drive, Pin, PinKind, Wiring};
+use encoder::Counter;
+use fitting::fitting;
+use motion::Train;
+use shaft::{FULL_TORQUE, Shaft, Side};
+use zone::Zone;
+
+/// The machine of one device.
+#[derive(Debug)]
+pub(crate) struct Machine {
+    axes: Vec<Shaft>,
+    /// Encoders by channel, each with its axis: first those of the first axis.
+    encoders: Vec<(usize, Counter)>,
+    /// What the pins hang on, in their order.
+    contacts: Vec<Option<Contact>>,
+    /// Analog quantities by pin.
+    quantities: Vec<i32>,
+    edges: Vec<(Side, i64, i64)>,
+}
+
+/// A switch or mark: on in a zone of a shaft.
+#[derive(Clone, Copy, Debug)]
+struct Contact {
+    axis: usize,
+    side: Side,
+    zone: Zone,
+}
+
+impl Machine {
+    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &[Pin]) -> Self {
+        let configs: Vec<_> = axes.iter().map(|axis| config.axis(axis)).collect();
+        let fitting = fitting(config.model.name);
+        let shafts = configs.iter().map(|axis| {
+            let mut shaft = Shaft::new(axis.backlash, axis.hard_stops);
+            shaft.set_load(permille(axis.load));
+            shaft
+        });
+        let encoders: Vec<_> = configs
+            .iter()
+            .enumerate()
+            .flat_map(|(index, axis)| {
+                fitting.encoders.iter().map(move |kind| (index, Counter::new(*kind, axis)))
+            })
+            .collect();
+        let contacts = pins
+            .iter()
+            .map(|pin| {
+                let on_load = |axis: usize, zone| Some(Contact { axis, side: Side::Load, zone });
+                match (pin.wiring, pin.kind) {
+                    (Wiring::NegativeLimit(axis), _) => {
+                        on_load(axis, Zone::up_to(configs[axis].negative_limit))
+                    }
+                    (Wiring::PositiveLimit(axis), _) => {
+                        on_load(axis, Zone::from(configs[axis].positive_limit))
+                    }
+                    (Wiring::Home(axis), _) => {
+                        on_load(axis, Zone::between(configs[axis].home[0], configs[axis].home[1]))
+                    }
+                    (Wiring::Index(_), PinKind::Index(channel)) => {
+                        let (axis, counter) = &encoders[channel];
+                        let (side, zone) = counter.mark();
+                        Some(Contact { axis: *axis, side, zone })
+                    }
+                    (Wiring::Index(axis), _) => {
+                        on_load(axis, Zone::repeated(0, 0, configs[axis].index_every))
+                    }
+                    _ => None,
+                }
+            })
+            .collect();
+        let quantities = pins
+            .iter()
+            .map(|pin| match pin.wiring {
+                Wiring::Supply => in_unit(config.supply_v, pin.unit).unwrap_or(pin.rest),
+                Wiring::Temperature => in_unit(config.temperature_c, pin.unit).unwrap_or(pin.rest),
+                _ => pin.rest,
+            })
+            .collect();
+        Self { axes: shafts.collect(), encoders, contacts, quantities, edges: Vec::with_capacity(pins.len()) }
+    }
+
+    /// Counters start from 0 and the driver stages as if nobody had told them anything.
+    pub fn power_up(&mut self) {
+        for shaft in &mut self.axes {
+            shaft.power_up();
+        }
+        for (axis, counter) in &mut self.encoders {
+            counter.power_up(&self.axes[*axis]);
+        }
+    }
+
+    pub fn follow(&mut self, axis: usize, train: &Train) {
+        self.axes[axis].follow(train);
+    }
+
+    pub fn set_drive(&mut self, axis: usize, drive: Drive) {
+        self.axes[axis].set_drive(drive);
+    }
+
+    /// Sets the load in parts of the pull-out torque.
+    pub fn set_load(&mut self, axis: usize, load: f64) {
+        self.axes[axis].set_load(permille(load));
+    }
+
+    /// Turns a shaft from outside.
+    pub fn push(&mut self, axis: usize, distance: i64) {
+        self.axes[axis].turn(distance);
+    }
+
+    pub fn load_permille(&self, axis: usize) -> u16 {
+        self.axes[axis].load_permille().min(u32::from(u16::MAX)) as u16
+    }
+
+    pub fn odometer(&self, axis: usize) -> i64 {
+        self.axes[axis].odometer()
+    }
+
+    /// Where the driven side of an axis is, in pulses from where it was first switched on.
+    pub fn position(&self, axis: usize) -> i64 {
+        self.axes[axis].position(Side::Load)
+    }
+
+    /// The counter of an encoder; past the last channel the angles of the built-in ones, in their order.
+    pub fn encoder(&self, channel: usize) -> i32 {
+        let count = match self.encoders.get(channel) {
+            Some((axis, counter)) => counter.count(&self.axes[*axis]),
+            None => {
+                let mut angles =
+                    self.encoders.iter().filter_map(|(axis, counter)| counter.angle(&self.axes[*axis]));
+                angles.nth(channel - self.encoders.len()).unwrap_or(0)
+            }
+        };
+        // A register of 32 bits wraps.
+        count as i32
+    }
+
+    pub fn quantity(&self, pin: usize) -> i32 {
+        self.quantities[pin]
+    }
+
+    /// Whether the switch or mark at a pin is on; `None` if there is none.
+    pub fn is_on(&self, pin: usize) -> Option<bool> {
+        self.contacts[pin].map(|contact| contact.zone.is_on(self.place(&contact)))
+    }
+
+    /// Where the shaft at a pin is, for [`is_jumped`](Self::is_jumped); 0 where there is none.
+    pub fn place_of(&self, pin: usize) -> i64 {
+        self.contacts[pin].map_or(0, |contact| self.place(&contact))
+    }
+
+    /// Whether on its way from `from` the shaft at a pin passed the zone without standing in it.
+    pub fn is_jumped(&self, pin: usize, from: i64) -> bool {
+        self.contacts[pin].is_some_and(|contact| contact.zone.is_jumped(from, self.place(&contact)))
+    }
+
+    /// The odometer window of an axis in which no pin changes that `watched` says yes to.
+    pub fn window(&mut self, axis: usize, watched: impl Fn(usize) -> bool) -> (i64, i64) {
+        let mut edges = std::mem::take(&mut self.edges);
+        edges.clear();
+        for (pin, contact) in self.contacts.iter().enumerate() {
+            if let Some(contact) = contact.filter(|contact| contact.axis == axis)
+                && watched(pin)
+            {
+                let place = self.place(&contact);
+                edges.push((contact.side, contact.zone.below(place), contact.zone.above(place)));
+            }
+        }
+        let window = self.axes[axis].window(&edges);
+        self.edges = edges;
+        window
+    }
+
+    fn place(&self, contact: &Contact) -> i64 {
+        self.axes[contact.axis].position(contact.side)
+    }
+}
+
+fn permille(load: f64) -> u32 {
+    (load * f64::from(FULL_TORQUE)).round() as u32
+}
+
+/// A quantity in a pin's unit: `mV`, `0.1 V`, `°C`.
+fn in_unit(quantity: f64, unit: &str) -> Option<i32> {
+    let (scale, name) = unit.rsplit_once(' ').unwrap_or(("1", unit));
+    let milli = name.strip_prefix('m').is_some_and(|rest| !rest.is_empty());
+    let scale: f64 = scale.parse().ok().filter(|scale| *scale > 0.0)?;
+    Some((quantity * if milli { 1000.0 } else { 1.0 } / scale).round() as i32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_unit;
+
+    #[test]
+    fn quantities_come_in_the_unit_of_the_pin() {
+        for (quantity, unit, expected) in [
+            (24.0, "V", 24),
+            (24.0, "mV", 24_000),
+            (24.0, "0.1 V", 240),
+            (25.0, "°C", 25),
+            (25.5, "0.5 °C", 51),
+        ] {
+            assert_eq!(in_unit(quantity, unit), Some(expected), "{unit}");
+        }
+    }
+}

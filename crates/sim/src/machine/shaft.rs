@@ -1,0 +1,218 @@
+//! One axis' motor and what it drives.
+
+use super::zone::NEVER;
+use devices::Drive;
+use motion::Train;
+
+/// Load and torque are parts in a thousand of the pull-out torque at full current.
+pub(crate) const FULL_TORQUE: u32 = 1000;
+
+/// Largest coil current of a [`Drive`].
+const FULL_CURRENT: u32 = 32;
+
+/// Which of two positions is meant: they differ by the play between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The motor's own shaft.
+    Motor,
+    /// What it drives.
+    Load,
+}
+
+/// A motor that follows its trains unless it has no current, is loaded too much, or stands against
+/// something.
+///
+/// Positions count 1/256 of a full step. The driven side lies between the motor and the backlash above
+/// it: it follows upward motion at once and downward motion after the play.
+#[derive(Clone, Debug)]
+pub(crate) struct Shaft {
+    motor: i64,
+    load: i64,
+    backlash: i64,
+    stops: [i64; 2],
+    drive: Drive,
+    load_permille: u32,
+    odometer: i64,
+    pushing: i64,
+}
+
+impl Shaft {
+    pub fn new(backlash: i64, stops: Option<[i64; 2]>) -> Self {
+        let stops = stops.unwrap_or([-NEVER, NEVER]);
+        let drive = Drive { step: 1, current: FULL_CURRENT as u8 };
+        Self { motor: 0, load: 0, backlash, stops, drive, load_permille: 0, odometer: 0, pushing: 0 }
+    }
+
+    /// The controller was switched off and on: it counts from 0 again, the shaft stays where it is.
+    pub fn power_up(&mut self) {
+        self.odometer = 0;
+        self.pushing = 0;
+        self.drive = Drive { step: 1, current: FULL_CURRENT as u8 };
+    }
+
+    pub fn position(&self, side: Side) -> i64 {
+        match side {
+            Side::Motor => self.motor,
+            Side::Load => self.load,
+        }
+    }
+
+    pub fn odometer(&self) -> i64 {
+        self.odometer
+    }
+
+    pub fn set_drive(&mut self, drive: Drive) {
+        self.drive = drive;
+    }
+
+    pub fn set_load(&mut self, permille: u32) {
+        self.load_permille = permille;
+    }
+
+    /// The load as the driver stage can measure it: full against a stop.
+    pub fn load_permille(&self) -> u32 {
+        if self.pushing != 0 { self.load_permille.max(FULL_TORQUE) } else { self.load_permille }
+    }
+
+    /// Whether pulses move the shaft.
+    pub fn follows(&self) -> bool {
+        let current = u32::from(self.drive.current).min(FULL_CURRENT);
+        let torque = FULL_TORQUE * current / FULL_CURRENT;
+        current > 0 && self.load_permille <= torque
+    }
+
+    /// The pulses of a train.
+    pub fn follow(&mut self, train: &Train) {
+        let pulses = train.direction.sign() * i64::from(train.count);
+        self.odometer += pulses;
+        if self.follows() {
+            self.turn(pulses * i64::from(self.drive.step));
+        }
+    }
+
+    /// Turns the motor, as far as it can.
+    pub fn turn(&mut self, distance: i64) {
+        let wanted = self.motor.saturating_add(distance);
+        let [low, high] = self.stops;
+        self.motor = wanted.clamp(low.saturating_sub(self.backlash), high);
+        self.pushing = (wanted - self.motor).signum();
+        self.load = self.load.clamp(self.motor, self.motor.saturating_add(self.backlash));
+    }
+
+    /// The odometer window in which nothing changes that happens at the positions `below` and `above` of
+    /// one side, which lie below and above its present one.
+    ///
+    /// What a pulse does changes at a stop, so a window ends there too.
+    pub fn window(&self, edges: &[(Side, i64, i64)]) -> (i64, i64) {
+        let step = i64::from(self.drive.step);
+        if !self.follows() || step == 0 {
+            return (-NEVER, NEVER);
+        }
+        let [stop_below, stop_above] = self.stops;
+        // The next stop, or the very next pulse off the one it leans on or into it.
+        let mut low = (stop_below - self.backlash).min(self.motor - 1);
+        let mut high = stop_above.max(self.motor + 1);
+        for (side, below, above) in edges {
+            // The driven side arrives below when the motor has gone through the play.
+            let play = if *side == Side::Load { self.backlash } else { 0 };
+            low = low.max(below - play);
+            high = high.min(*above);
+        }
+        let down = pulses(self.motor - low, step.abs());
+        let up = pulses(high - self.motor, step.abs());
+        let (down, up) = if step > 0 { (down, up) } else { (up, down) };
+        (self.odometer - down, self.odometer + up)
+    }
+}
+
+/// How many pulses of `step` it takes to cover `distance`.
+fn pulses(distance: i64, step: i64) -> i64 {
+    if distance >= NEVER / 2 { NEVER } else { (distance + step - 1) / step }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use motion::{Direction, Moment};
+
+    fn train(pulses: i64) -> Train {
+        let (count, direction) = (pulses.unsigned_abs() as u32, Direction::of(pulses));
+        Train { start: Moment::at(0), interval: 1 << 40, add: 0, jerk: 0, count, direction }
+    }
+
+    /// Moves in pulses, and where motor and load are after each.
+    #[track_caller]
+    fn check(mut shaft: Shaft, moves: &[(i64, i64, i64)]) {
+        for (pulses, motor, load) in moves {
+            shaft.follow(&train(*pulses));
+            assert_eq!(
+                (shaft.position(Side::Motor), shaft.position(Side::Load)),
+                (*motor, *load),
+                "{pulses}"
+            );
+        }
+        assert_eq!(shaft.odometer(), moves.iter().map(|(pulses, ..)| pulses).sum::<i64>());
+    }
+
+    fn with_drive(step: i16, current: u8) -> Shaft {
+        let mut shaft = Shaft::new(0, None);
+        shaft.set_drive(Drive { step, current });
+        shaft
+    }
+
+    #[test]
+    fn the_shaft_turns_a_step_a_pulse() {
+        check(with_drive(1, 32), &[(100, 100, 100), (-150, -50, -50)]);
+        check(with_drive(-16, 32), &[(100, -1600, -1600), (-100, 0, 0)]);
+        check(with_drive(256, 0), &[(100, 0, 0)]);
+    }
+
+    #[test]
+    fn the_load_follows_after_the_play() {
+        check(Shaft::new(10, None), &[(5, 5, 5), (-4, 1, 5), (-20, -19, -9), (9, -10, -9), (2, -8, -8)]);
+    }
+
+    #[test]
+    fn nothing_goes_past_a_stop() {
+        let mut shaft = Shaft::new(10, Some([-50, 100]));
+        check(shaft.clone(), &[(500, 100, 100), (-20, 80, 90), (-500, -60, -50), (1, -59, -50)]);
+        assert_eq!(shaft.load_permille(), 0);
+        shaft.follow(&train(101));
+        assert_eq!(shaft.load_permille(), FULL_TORQUE);
+        shaft.follow(&train(-1));
+        assert_eq!(shaft.load_permille(), 0);
+    }
+
+    #[test]
+    fn too_much_load_stalls() {
+        // Half the current holds half the torque.
+        for (current, load, follows) in
+            [(32, 1000, true), (32, 1001, false), (16, 500, true), (16, 501, false), (0, 0, false)]
+        {
+            let mut shaft = with_drive(1, current);
+            shaft.set_load(load);
+            assert_eq!(shaft.follows(), follows, "current {current}, load {load}");
+        }
+    }
+
+    #[test]
+    fn windows_end_where_something_changes() {
+        let mut shaft = Shaft::new(10, Some([-1000, 2000]));
+        assert_eq!(shaft.window(&[]), (-1010, 2000));
+        assert_eq!(shaft.window(&[(Side::Load, -50, 31), (Side::Motor, -55, 40)]), (-55, 31));
+        shaft.set_drive(Drive { step: 16, current: 32 });
+        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-3, 2));
+        shaft.set_drive(Drive { step: -16, current: 32 });
+        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-2, 3));
+        shaft.set_drive(Drive { step: 16, current: 0 });
+        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-NEVER, NEVER));
+    }
+
+    #[test]
+    fn each_pulse_against_a_stop_is_an_event() {
+        let mut shaft = Shaft::new(0, Some([-5, 5]));
+        shaft.follow(&train(9));
+        // Up: the next pulse may be lost, and then the way back begins later.
+        assert_eq!(shaft.window(&[]), (9 - 10, 10));
+    }
+}

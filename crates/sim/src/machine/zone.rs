@@ -1,0 +1,127 @@
+//! Where along a shaft a switch or a mark is on.
+
+/// No threshold: further away than any pulse.
+pub(crate) const NEVER: i64 = i64::MAX / 4;
+
+/// Positions at which an input is on: an interval, maybe repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Zone {
+    first: i64,
+    last: i64,
+    every: Option<i64>,
+}
+
+impl Zone {
+    /// On from `first` to `last`, both included.
+    pub const fn between(first: i64, last: i64) -> Self {
+        Self { first, last, every: None }
+    }
+
+    /// On at and below `last`.
+    pub const fn up_to(last: i64) -> Self {
+        Self::between(-NEVER, last)
+    }
+
+    /// On at and above `first`.
+    pub const fn from(first: i64) -> Self {
+        Self::between(first, NEVER)
+    }
+
+    /// On from `first` to `last` and at every multiple of `every` from there. A mark that is on
+    /// everywhere is not one: the interval is cut short of the next.
+    pub const fn repeated(first: i64, last: i64, every: i64) -> Self {
+        let longest = first + every - 2;
+        let last = if last > longest && every > 1 { longest } else { last };
+        Self { first, last, every: Some(every) }
+    }
+
+    /// Whether it is on at `position`.
+    pub fn is_on(&self, position: i64) -> bool {
+        let position = self.folded(position);
+        self.first <= position && position <= self.last
+    }
+
+    /// The next position above at which it changes; at least [`NEVER`] if there is none.
+    pub fn above(&self, position: i64) -> i64 {
+        let folded = self.folded(position);
+        let next = if folded < self.first {
+            self.first
+        } else if folded <= self.last {
+            self.last + 1
+        } else {
+            self.every.map_or(NEVER, |every| self.first + every)
+        };
+        if next >= NEVER { NEVER } else { position + (next - folded) }
+    }
+
+    /// The next position below at which it changes; at most −[`NEVER`] if there is none.
+    pub fn below(&self, position: i64) -> i64 {
+        let folded = self.folded(position);
+        let next = if folded > self.last {
+            self.last
+        } else if folded >= self.first {
+            self.first - 1
+        } else {
+            -NEVER
+        };
+        if next <= -NEVER { -NEVER } else { position + (next - folded) }
+    }
+
+    /// Whether a way from one position to another passes the whole zone, so that nobody sees it on who
+    /// looks at the ends only.
+    pub fn is_jumped(&self, from: i64, to: i64) -> bool {
+        let change = if to > from { self.above(from) } else { self.below(from) };
+        let within = if to > from { change <= to } else { change >= to };
+        from != to && within && !self.is_on(from) && !self.is_on(to)
+    }
+
+    /// The position that stands for `position` in the first interval and the gap after it.
+    fn folded(&self, position: i64) -> i64 {
+        match self.every {
+            Some(every) => self.first + (position - self.first).rem_euclid(every),
+            None => position,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What the functions promise, position by position.
+    #[track_caller]
+    fn check(zone: Zone) {
+        for position in -40..=40 {
+            let changed = |other: &i64| zone.is_on(*other) != zone.is_on(position);
+            let above = (position + 1..100).find(changed).unwrap_or(NEVER);
+            let below = (-100..position).rev().find(changed).unwrap_or(-NEVER);
+            assert_eq!(
+                (zone.below(position), zone.above(position)),
+                (below, above),
+                "{zone:?} at {position}"
+            );
+            for other in -40..=40 {
+                let (low, high) = (position.min(other), position.max(other));
+                let inside = (low..=high).any(|position| zone.is_on(position));
+                let expected = inside && !zone.is_on(position) && !zone.is_on(other);
+                assert_eq!(zone.is_jumped(position, other), expected, "{zone:?} {position} to {other}");
+            }
+        }
+    }
+
+    #[test]
+    fn thresholds_are_where_the_level_changes() {
+        check(Zone::between(-7, 3));
+        check(Zone::between(5, 5));
+        check(Zone::up_to(-2));
+        check(Zone::from(4));
+        check(Zone::repeated(0, 0, 10));
+        check(Zone::repeated(-3, 2, 13));
+        check(Zone::repeated(0, 0, 2));
+    }
+
+    #[test]
+    fn a_mark_leaves_a_gap() {
+        check(Zone::repeated(-5, 5, 4));
+    }
+}

@@ -1,0 +1,241 @@
+//! Running a standalone program in virtual time, from its download to its end.
+
+use crate::device::{AxisView, PinError, TimedInput, VirtualDevice};
+use devices::{Port, ProgramRun};
+use motion::Ticks;
+use serde::{Serialize, Serializer};
+use std::{collections::BTreeMap, time::Instant};
+
+/// Bytes of one record of a TMCL program: opcode, type, motor, value (4, MSB first), sum of those 7.
+pub const RECORD_BYTES: usize = 8;
+
+/// How long a run without a time limit waits, after the program has ended, for the axes to stand.
+pub const MAX_COAST_SECONDS: u64 = 60;
+
+/// How often progress is reported, in device time.
+const PROGRESS_PER_SECOND: u64 = 10;
+
+/// How to run a program.
+#[derive(Clone, Debug, Default)]
+pub struct RunOptions {
+    /// Seconds of device time after which the run ends at the latest; without it it ends with the
+    /// program.
+    pub for_seconds: Option<f64>,
+    /// Inputs that change on the way; times count from the start of the program.
+    pub inputs: Vec<TimedInput>,
+}
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// The program ended, and the axes stand.
+    Ended,
+    /// The time was up.
+    TimeUp,
+    /// The program went into its error state.
+    Error,
+}
+
+impl StopReason {
+    /// Its name: `ended`, `time up`, `error`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Ended => "ended",
+            Self::TimeUp => "time up",
+            Self::Error => "error",
+        }
+    }
+}
+
+impl Serialize for StopReason {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// What came out of a run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RunResult {
+    /// Device time from the start of the program.
+    pub device_seconds: f64,
+    /// Time that it took.
+    pub wall_seconds: f64,
+    /// Why it ended.
+    pub stop_reason: StopReason,
+    /// Instructions of all programs.
+    pub instructions: u64,
+    /// The axes by name.
+    pub axes: BTreeMap<&'static str, AxisResult>,
+}
+
+/// An axis at the end of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct AxisResult {
+    /// Position counter in pulses.
+    pub position: i32,
+    /// Position as the encoder says.
+    pub encoder: i32,
+    /// All pulses, in both directions.
+    pub steps: u64,
+    /// The status word.
+    pub status: u32,
+}
+
+impl From<AxisView> for AxisResult {
+    fn from(axis: AxisView) -> Self {
+        Self { position: axis.position, encoder: axis.encoder, steps: axis.steps, status: axis.status }
+    }
+}
+
+/// How far a run has come.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Device time from the start of the program.
+    pub device_seconds: f64,
+    /// The limit, if there is one.
+    pub for_seconds: Option<f64>,
+}
+
+/// Why a program cannot be run.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RunError {
+    /// The program does not consist of whole records.
+    #[error("the program has {0} bytes, which is no multiple of {RECORD_BYTES}")]
+    Length(usize),
+    /// A record's sum is wrong.
+    #[error("record {0} of the program has a wrong checksum")]
+    Checksum(usize),
+    /// The device did not take a command of the download.
+    #[error("the device answers status {status} to command {command} of the download")]
+    Refused {
+        /// Number of the command in the program; the first is 0.
+        command: usize,
+        /// The status.
+        status: u8,
+    },
+    /// The device did not answer a command of the download.
+    #[error("the device does not answer command {0} of the download")]
+    Silent(usize),
+    /// A planned input is not possible.
+    #[error(transparent)]
+    Pin(#[from] PinError),
+}
+
+/// Runs a TMCL program, given as the records of a program file, until it ends or the time is up.
+///
+/// The program has ended when it stands and so do the axes, so that a program whose last command is a
+/// move shows its outcome.
+///
+/// # Errors
+/// [`RunError`].
+pub fn run(
+    device: &mut VirtualDevice,
+    program: &[u8],
+    options: &RunOptions,
+    mut progress: impl FnMut(Progress),
+) -> Result<RunResult, RunError> {
+    let wall = Instant::now();
+    load(device, program)?;
+    let start = device.now();
+    for timed in &options.inputs {
+        device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
+    }
+    let instructions = instructions(device);
+    command(device, 0, [RUN, 0, 0], 0, STATUS_OK)?;
+
+    let limit = options.for_seconds.map(|seconds| start.saturating_add(device.ticks(seconds)));
+    let end = limit.unwrap_or(Ticks::MAX);
+    let hz = u64::from(device.clock_hz());
+    let mut report_at = start;
+    let mut ended_at = None;
+    let stop_reason = loop {
+        if device.programs().any(|program| program.run == ProgramRun::Error) {
+            break StopReason::Error;
+        }
+        if device.programs().all(|program| program.run == ProgramRun::Idle) {
+            let since = *ended_at.get_or_insert(device.now());
+            let standing = (0..device.axes().len()).all(|axis| device.axis(axis).speed_mpps == 0);
+            let coasted = limit.is_none() && device.now() >= since + MAX_COAST_SECONDS * hz;
+            if standing || coasted {
+                break StopReason::Ended;
+            }
+        }
+        if device.now() >= end {
+            break StopReason::TimeUp;
+        }
+        if device.now() >= report_at {
+            progress(Progress { device_seconds: seconds(device, start), for_seconds: options.for_seconds });
+            report_at = device.now() + hz / PROGRESS_PER_SECOND;
+        }
+        // The next event, but no later than the next report, so that a device with nothing to do is
+        // heard of too.
+        device.advance(device.wake().min(report_at).min(end).max(device.now()));
+    };
+    let axes = device.state().axes.into_iter().map(|(name, axis)| (name, axis.into())).collect();
+    Ok(RunResult {
+        device_seconds: seconds(device, start),
+        wall_seconds: wall.elapsed().as_secs_f64(),
+        stop_reason,
+        instructions: self::instructions(device) - instructions,
+        axes,
+    })
+}
+
+fn seconds(device: &VirtualDevice, start: Ticks) -> f64 {
+    (device.now() - start) as f64 / f64::from(device.clock_hz())
+}
+
+fn instructions(device: &VirtualDevice) -> u64 {
+    device.programs().map(|program| program.instructions).sum()
+}
+
+const RUN: u8 = 129;
+const STOP: u8 = 128;
+const ENTER_DOWNLOAD: u8 = 132;
+const EXIT_DOWNLOAD: u8 = 133;
+const STATUS_OK: u8 = 100;
+const STATUS_STORED: u8 = 101;
+
+/// Downloads a TMCL program over the wire, as a host does.
+///
+/// # Errors
+/// [`RunError`].
+pub fn load(device: &mut VirtualDevice, program: &[u8]) -> Result<(), RunError> {
+    let (records, rest) = program.as_chunks::<RECORD_BYTES>();
+    if !rest.is_empty() {
+        return Err(RunError::Length(program.len()));
+    }
+    command(device, 0, [STOP, 0, 0], 0, STATUS_OK)?;
+    command(device, 0, [ENTER_DOWNLOAD, 0, 0], 0, STATUS_OK)?;
+    for (number, record) in records.iter().enumerate() {
+        let [opcode, kind, motor, v3, v2, v1, v0, sum] = *record;
+        if record[..7].iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte)) != sum {
+            return Err(RunError::Checksum(number));
+        }
+        command(device, number, [opcode, kind, motor], i32::from_be_bytes([v3, v2, v1, v0]), STATUS_STORED)?;
+    }
+    command(device, records.len(), [EXIT_DOWNLOAD, 0, 0], 0, STATUS_OK)
+}
+
+/// Sends one command over USB, where any address will do, and looks at the answer.
+fn command(
+    device: &mut VirtualDevice,
+    number: usize,
+    head: [u8; 3],
+    value: i32,
+    expected: u8,
+) -> Result<(), RunError> {
+    let mut frame = [0; 9];
+    frame[0] = 1;
+    frame[1..4].copy_from_slice(&head);
+    frame[4..8].copy_from_slice(&value.to_be_bytes());
+    frame[8] = frame[..8].iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte));
+    device.drain_sent().for_each(drop);
+    device.receive(Port::Usb, &frame);
+    let answer = device.drain_sent().find(|sent| sent.port == Port::Usb);
+    match answer.as_ref().and_then(|sent| sent.bytes.get(2)) {
+        None => Err(RunError::Silent(number)),
+        Some(status) if *status == expected => Ok(()),
+        Some(status) => Err(RunError::Refused { command: number, status: *status }),
+    }
+}
