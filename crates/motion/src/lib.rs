@@ -8,6 +8,8 @@
 
 pub mod axis;
 mod block;
+pub mod compare;
+pub mod encoder;
 pub mod homing;
 pub mod plan;
 pub mod speed;
