@@ -6,8 +6,9 @@
 //! counts.
 
 use crate::block;
-use crate::plan::{self, Kind, Limits, Now, Piece};
-use crate::speed::{Speed, SpeedSquared, root, square};
+use crate::plan::{self, Kind, Limits, Now, Piece, Wish};
+use crate::scurve::{self, Course};
+use crate::speed::{MAX_SPEED, Speed, SpeedSquared, root, square};
 use crate::train::{Direction, Moment, Ticks, Train};
 
 /// One whole pulse in 2⁻³².
@@ -67,6 +68,8 @@ pub struct Axis {
     /// What is left of the next pulse at `since`, in 2⁻³².
     rest: u64,
     leg: Option<Leg>,
+    /// How a motion with S-curves goes on.
+    course: Option<Course>,
 }
 
 impl Axis {
@@ -86,6 +89,7 @@ impl Axis {
             direction: Direction::Positive,
             rest: WHOLE,
             leg: None,
+            course: None,
         }
     }
 
@@ -159,7 +163,7 @@ impl Axis {
                 let speed = u64::from(root(axis.squared));
                 if new != old && speed != 0 {
                     let speed = if new > old { speed << (new - old) } else { speed >> (old - new) };
-                    let speed = speed.clamp(limits.scale.slowest().into(), crate::speed::MAX_SPEED.into());
+                    let speed = speed.clamp(limits.scale.slowest().into(), MAX_SPEED.into());
                     axis.squared = square(speed as Speed);
                 }
                 axis.limits = limits;
@@ -217,7 +221,7 @@ impl Axis {
             }
             let part = if done < leg.train.count {
                 let (head, tail) = leg.train.split(done);
-                self.squared = leg.squared_after(done);
+                self.squared = self.squared_after(&leg, done);
                 self.leg = Some(Leg { train: tail, squares: [self.squared, leg.squares[1]], kind: leg.kind });
                 head
             } else {
@@ -237,6 +241,7 @@ impl Axis {
 
     /// Puts a change into effect at the end of the present clock.
     fn change(&mut self, change: impl FnOnce(&mut Self)) {
+        let before = (self.leg, self.squared, self.rest, self.since);
         if let Some(leg) = self.leg.take() {
             assert!(leg.train.edge(1) > self.now, "pulses in the past belong out before a change");
             let (speed, rest) = self.progress(&leg);
@@ -245,14 +250,19 @@ impl Axis {
         }
         self.since = Moment::at(self.now + 1);
         change(self);
-        self.plan();
+        if self.keeps_course() {
+            (self.leg, self.squared, self.rest, self.since) = before;
+        } else {
+            self.course = None;
+            self.plan();
+        }
     }
 
     /// Speed and rest of the pulse at the end of the present clock.
     fn progress(&self, leg: &Leg) -> (Speed, u64) {
         let spacing = leg.train.interval;
         let gone = Moment::at(self.now + 1).since(leg.train.start).unwrap_or(0).min(spacing - 1);
-        let [from, to] = [leg.squares[0], leg.squared_after(1)].map(|squared| i64::from(root(squared)));
+        let [from, to] = [leg.squares[0], self.squared_after(leg, 1)].map(|squared| i64::from(root(squared)));
         // Over one pulse the speed is taken as linear in time; way is speed by time.
         let share = ((u128::from(gone) << 32) / u128::from(spacing)) as i64;
         let speed = from + (((to - from) * share) >> 32);
@@ -261,7 +271,27 @@ impl Axis {
         (speed as Speed, left.max(1))
     }
 
+    /// Whether the course on its way is still right, so that a curve need not start anew.
+    fn keeps_course(&self) -> bool {
+        let now = Now { squared: self.squared, rest: self.rest };
+        match (&self.course, self.limits.bend(), self.wish()) {
+            (Some(course), Some(bend), Some(wish)) => course.serves(&self.limits, bend, now, wish),
+            _ => false,
+        }
+    }
+
+    /// v² after some pulses of the leg.
+    fn squared_after(&self, leg: &Leg, pulses: u32) -> SpeedSquared {
+        match (&self.course, leg.kind) {
+            (Some(course), Kind::Curve(_)) => square(course.speed_at(pulses)),
+            _ => leg.squared_after(pulses),
+        }
+    }
+
     fn count(&mut self, train: &Train) {
+        if let Some(course) = &mut self.course {
+            course.pass(train.count);
+        }
         let way = train.direction.sign() * i64::from(train.count);
         self.position = self.position.wrapping_add(way as i32);
         self.odometer += way;
@@ -272,6 +302,7 @@ impl Axis {
         self.squared = 0;
         self.rest = WHOLE;
         self.leg = None;
+        self.course = None;
     }
 
     /// Finds the next leg, or comes to rest.
@@ -304,43 +335,71 @@ impl Axis {
         if self.blocked[direction as usize].is_some() {
             return false;
         }
+        let mut speed = self.limits.start.min(top);
+        if let (Some(bend), Goal::Position(target)) = (self.limits.bend(), self.goal) {
+            let way = i64::from(target.wrapping_sub(self.position)).unsigned_abs();
+            speed = scurve::entry(&self.limits, bend, way);
+        }
         self.direction = direction;
-        self.squared = square(self.limits.start.min(top).max(self.limits.scale.slowest()));
+        self.squared = square(speed.max(self.limits.scale.slowest()));
         true
     }
 
-    /// How to go on from a speed that is not 0; `None` to stand still now.
-    fn next_piece(&self) -> Option<Piece> {
-        let now = Now { squared: self.squared, rest: self.rest };
+    /// What the next pulses are for; `None` to stand still now.
+    fn wish(&self) -> Option<Wish> {
         match self.blocked[self.direction as usize] {
             Some(Stop::Hard) => return None,
-            Some(Stop::Soft) => return plan::brake(&self.limits, now),
+            Some(Stop::Soft) => return Some(Wish::Brake),
             None => {}
         }
-        match self.goal {
+        Some(match self.goal {
             Goal::Position(target) => {
                 let way = i64::from(target.wrapping_sub(self.position)) * self.direction.sign();
                 match u64::try_from(way) {
-                    Ok(pulses @ 1..) => {
-                        plan::toward(&self.limits, now, pulses).or_else(|| plan::brake(&self.limits, now))
-                    }
-                    _ => plan::brake(&self.limits, now),
+                    Ok(pulses @ 1..) => Wish::To(pulses),
+                    _ => Wish::Brake,
                 }
             }
             Goal::Speed(direction, speed) if direction == self.direction && speed != 0 => {
-                Some(plan::at_speed(&self.limits, now, speed))
+                Wish::Speed(speed.clamp(self.limits.scale.slowest(), MAX_SPEED))
             }
-            Goal::Speed(..) => plan::brake(&self.limits, now),
+            Goal::Speed(..) => Wish::Brake,
+        })
+    }
+
+    /// How to go on from a speed that is not 0; `None` to stand still now.
+    fn next_piece(&mut self) -> Option<Piece> {
+        let wish = self.wish()?;
+        let now = Now { squared: self.squared, rest: self.rest };
+        if let Some(bend) = self.limits.bend() {
+            if self.course.is_none() {
+                self.course = Course::new(&self.limits, bend, now, wish);
+            }
+            return self.course.as_mut()?.piece(self.rest);
+        }
+        match wish {
+            Wish::To(pulses) => {
+                plan::toward(&self.limits, now, pulses).or_else(|| plan::brake(&self.limits, now))
+            }
+            Wish::Speed(speed) => Some(plan::at_speed(&self.limits, now, speed)),
+            Wish::Brake => plan::brake(&self.limits, now),
         }
     }
 
-    fn leg_of(&self, piece: Piece) -> Leg {
+    fn leg_of(&mut self, piece: Piece) -> Leg {
         let Piece { count, end, kind } = piece;
         let scale = self.limits.scale;
         let ends = [root(self.squared), root(end)];
         let train = match kind {
             Kind::Cruise => Train { interval: scale.spacing(ends[0]), count, ..self.still() },
             Kind::Glide => block::glide(scale, self.since, self.direction, count, ends),
+            Kind::Curve(duration) => {
+                let train = block::curve(scale, self.since, self.direction, count, ends, duration);
+                if let Some(course) = &mut self.course {
+                    course.carry(duration.wrapping_sub(train.offset(count)) as i64);
+                }
+                train
+            }
             Kind::Ramp => {
                 let whole = block::ramp(scale, self.since, self.direction, count, ends);
                 if self.rest == WHOLE {
@@ -370,7 +429,8 @@ impl Leg {
         let [from, to] = self.squares;
         match self.kind {
             Kind::Cruise => to,
-            Kind::Ramp => between(from, to),
+            // Of a curve only the ends are known here.
+            Kind::Curve(_) | Kind::Ramp => between(from, to),
             Kind::Glide => square(between(root(from).into(), root(to).into()) as Speed),
         }
     }

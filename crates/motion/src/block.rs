@@ -69,6 +69,23 @@ pub fn glide(scale: Scale, start: Moment, direction: Direction, count: u32, ends
     cubic(start, direction, count, [first, mean, last])
 }
 
+/// A block of known duration between two speeds.
+#[inline]
+pub fn curve(
+    scale: Scale,
+    start: Moment,
+    direction: Direction,
+    count: u32,
+    ends: [Speed; 2],
+    duration: SubTicks,
+) -> Train {
+    if count == 1 {
+        return single(start, direction, duration);
+    }
+    let [first, last] = ends.map(|speed| scale.quick_spacing(speed));
+    cubic(start, direction, count, [first, duration / u64::from(count), last])
+}
+
 /// One pulse.
 #[inline]
 pub const fn single(start: Moment, direction: Direction, interval: SubTicks) -> Train {

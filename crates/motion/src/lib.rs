@@ -12,6 +12,7 @@ pub mod compare;
 pub mod encoder;
 pub mod homing;
 pub mod plan;
+mod scurve;
 pub mod speed;
 pub mod tmc429;
 pub mod train;

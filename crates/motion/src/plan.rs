@@ -6,7 +6,8 @@
 //! against pulses, where the ceiling of a trapezoid is a straight line.
 
 use crate::block::block_length;
-use crate::speed::{Growth, Scale, Speed, SpeedSquared, root, square};
+use crate::speed::{Growth, MAX_GROWTH, MAX_SPEED, Scale, Speed, SpeedSquared, root, square};
+use crate::train::SubTicks;
 
 /// How an axis approaches its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,25 @@ pub enum Shape {
     /// Speed in proportion to the distance left, so that it decays exponentially in time: the
     /// deceleration is the greatest allowed at first and ever gentler after.
     Soft,
+    /// All ramps are jerk-limited: acceleration rises evenly in time to that of the limits and falls
+    /// evenly to 0 again. See [`Shape::s_growth`] for an S that takes as long as the straight ramp.
+    SCurve {
+        /// Over which span of speed the acceleration rises from 0 to its peak: the jerk is the square of
+        /// the acceleration by twice the bend. Half the span of a ramp gives an S without a straight
+        /// part; a ramp of less than two bends keeps the jerk and stays below the peak.
+        bend: Speed,
+    },
+}
+
+impl Shape {
+    /// The peak growth with which an S over `span` takes as long as a straight ramp with `mean`: twice
+    /// as much for an S without a straight part.
+    pub const fn s_growth(mean: Growth, span: Speed, bend: Speed) -> Growth {
+        let span = if span == 0 { 1 } else { span as u128 };
+        let bend = if bend as u128 > span.div_ceil(2) { span.div_ceil(2) } else { bend as u128 };
+        let peak = mean as u128 * (span + 2 * bend) / span;
+        if peak > MAX_GROWTH as u128 { MAX_GROWTH } else { peak as Growth }
+    }
 }
 
 /// What bounds the motion of an axis.
@@ -29,22 +49,30 @@ pub struct Limits {
     pub start: Speed,
     /// Speed from which the axis may stand still at once.
     pub stop: Speed,
-    /// Acceleration and deceleration.
+    /// Acceleration and deceleration, the greatest of an S.
     pub growth: Growth,
     /// How a target is approached.
     pub shape: Shape,
 }
 
 impl Limits {
-    /// Speeds at least at the slowest of the scale, so that every spacing fits a train.
+    /// Speeds between the slowest of the scale, so that every spacing fits a train, and the fastest.
     pub(crate) fn clamped(self) -> Self {
         let slowest = self.scale.slowest();
         Self {
-            top: self.top.max(slowest),
-            start: self.start.max(slowest),
-            stop: self.stop.max(slowest),
-            growth: self.growth.clamp(1, crate::speed::MAX_GROWTH),
+            top: self.top.clamp(slowest, MAX_SPEED),
+            start: self.start.clamp(slowest, MAX_SPEED),
+            stop: self.stop.clamp(slowest, MAX_SPEED),
+            growth: self.growth.clamp(1, MAX_GROWTH),
             ..self
+        }
+    }
+
+    /// The bend of jerk-limited ramps.
+    pub(crate) fn bend(&self) -> Option<Speed> {
+        match self.shape {
+            Shape::SCurve { bend } => Some(bend.min(MAX_SPEED)),
+            Shape::Trapezoid | Shape::Soft => None,
         }
     }
 
@@ -57,7 +85,8 @@ impl Limits {
     fn ceiling(&self, distance: Distance) -> SpeedSquared {
         let Distance::Pulses(distance) = distance else { return SpeedSquared::MAX };
         match self.shape {
-            Shape::Trapezoid => {
+            // The S has a course of its own and does not come here.
+            Shape::Trapezoid | Shape::SCurve { .. } => {
                 let rise = (u128::from(self.growth) * u128::from(distance)) >> 32;
                 square(self.stop).saturating_add(u64::try_from(rise).unwrap_or(u64::MAX))
             }
@@ -71,7 +100,9 @@ impl Limits {
     /// Pulses from the top speed to the stop speed, rounded up.
     fn braking_pulses(&self, top: SpeedSquared) -> u64 {
         match self.shape {
-            Shape::Trapezoid => top.saturating_sub(square(self.stop)).div_ceil(self.growth),
+            Shape::Trapezoid | Shape::SCurve { .. } => {
+                top.saturating_sub(square(self.stop)).div_ceil(self.growth)
+            }
             Shape::Soft if top <= square(self.stop) => 0,
             Shape::Soft => u64::from(root(top)).div_ceil(self.decay()),
         }
@@ -118,6 +149,19 @@ pub(crate) enum Kind {
     Glide,
     /// Neither changes.
     Cruise,
+    /// A stretch of a course, in this time.
+    Curve(SubTicks),
+}
+
+/// What the next pulses are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wish {
+    /// A target so many pulses ahead, the started one included; at least 1.
+    To(u64),
+    /// A speed, at least the slowest of the scale.
+    Speed(Speed),
+    /// Standstill.
+    Brake,
 }
 
 /// Where the axis is on its way.
@@ -210,7 +254,9 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
 /// Along the ceiling.
 fn slow_down(limits: &Limits, squared: SpeedSquared, pulses: u64, distance: Distance) -> Option<Piece> {
     let (longest, kind) = match limits.shape {
-        Shape::Trapezoid => (block_length(squared - (squared >> 4), limits.growth), Kind::Ramp),
+        Shape::Trapezoid | Shape::SCurve { .. } => {
+            (block_length(squared - (squared >> 4), limits.growth), Kind::Ramp)
+        }
         Shape::Soft => (crate::block::MAX_BLOCK, Kind::Glide),
     };
     let (count, end) = shorten(longest, pulses, |count| {
@@ -223,9 +269,13 @@ fn slow_down(limits: &Limits, squared: SpeedSquared, pulses: u64, distance: Dist
 /// As far as the top speed lies under the ceiling, but not longer than a train lasts.
 fn cruise(limits: &Limits, top: SpeedSquared, pulses: u64) -> Option<Piece> {
     let braking = if pulses == u64::MAX { 0 } else { limits.braking_pulses(top) };
-    let longest = (1 << 62) / limits.scale.spacing(root(top));
-    let count = pulses.saturating_sub(braking).min(longest).min(u64::from(u32::MAX));
+    let count = pulses.saturating_sub(braking).min(longest_cruise(limits.scale, root(top)).into());
     (count > 0).then_some(Piece { count: count as u32, end: top, kind: Kind::Cruise })
+}
+
+/// The most pulses at a speed that fit a train.
+pub(crate) fn longest_cruise(scale: Scale, speed: Speed) -> u32 {
+    u32::try_from((1 << 62) / scale.spacing(speed)).unwrap_or(u32::MAX)
 }
 
 /// The longest block of a power of two of pulses, of at least two, that is possible.
