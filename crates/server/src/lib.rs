@@ -1,1 +1,249 @@
-//! server
+//! Devices in real time, with everything that one can plug into them: TCP, pseudo-terminals, CAN
+//! adapters, shared buses, and the HTTP interface.
+//!
+//! - Every endpoint has a thread; every TCP client has one too, and asks the devices itself.
+//! - Every device has a thread that does what happens without being asked, and a lock.
+//! - HTTP runs in one more thread.
+//! - With a directory for state, one thread keeps the flash images on disk.
+//!
+//! All of them end when [`Server::stop`] closes the pipe that they wait on.
+
+mod clock;
+mod endpoint;
+mod http;
+mod images;
+mod signals;
+mod stop;
+mod unit;
+
+pub use clock::SPEEDS;
+pub use http::Token;
+pub use signals::Signals;
+
+use endpoint::{Framing, Line, Pty, Tcp};
+use http::Http;
+use images::Images;
+use sim::{Bus, DeviceConfig, Endpoint, VirtualDevice, flash::ImageError};
+use std::{
+    io,
+    path::PathBuf,
+    sync::Arc,
+    thread::{self, JoinHandle},
+};
+use stop::Stop;
+use tokio::runtime::Runtime;
+use unit::Unit;
+
+/// What to serve, and how.
+pub struct Settings {
+    /// The devices, each with its endpoints. The names differ.
+    pub devices: Vec<DeviceConfig>,
+    /// Where HTTP listens, as `ADDR:PORT`, and the token it asks for; `None` for no HTTP.
+    pub http: Option<(String, Token)>,
+    /// Seconds of device time a second of wall clock, in [`SPEEDS`].
+    pub speed: f64,
+    /// Where the flash images live; without it they are lost at the end.
+    pub state: Option<PathBuf>,
+}
+
+/// Why the server does not start, or does not end well; one line of text.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// An endpoint cannot be opened.
+    #[error("{endpoint}: {source}")]
+    Listen {
+        /// The endpoint.
+        endpoint: String,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Something else that the system refuses.
+    #[error("{what}: {source}")]
+    System {
+        /// What was asked of it.
+        what: &'static str,
+        /// What it says.
+        source: io::Error,
+    },
+    /// The directory of the images cannot be used.
+    #[error("{}: {source}", path.display())]
+    State {
+        /// The directory.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Another process uses the directory of the images.
+    #[error("{}: another process keeps its state here", .0.display())]
+    StateInUse(PathBuf),
+    /// A flash image cannot be loaded or saved.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+}
+
+impl Error {
+    fn system(what: &'static str) -> impl Fn(io::Error) -> Self {
+        move |source| Self::System { what, source }
+    }
+}
+
+/// A running server. Dropping it without [`stop`](Self::stop) leaves its threads running.
+pub struct Server {
+    ready: Vec<(String, String)>,
+    url: Option<String>,
+    stop: Stop,
+    threads: Vec<JoinHandle<()>>,
+    images: Images,
+    runtime: Runtime,
+}
+
+impl Server {
+    /// Switches the devices on and opens everything. When it returns, everything listens.
+    ///
+    /// # Errors
+    /// [`Error`]; then nothing is left open.
+    pub fn start(settings: Settings) -> Result<Self, Error> {
+        let runtime = tokio::runtime::Builder::new_multi_thread()
+            .worker_threads(1)
+            .thread_name("http")
+            .enable_all()
+            .build()
+            .map_err(Error::system("HTTP thread"))?;
+
+        // Everything that can fail comes before the first thread.
+        let buses = sim::buses(&settings.devices);
+        let doors = buses.iter().map(Door::open).collect::<Result<Vec<_>, _>>()?;
+        let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
+        let http = http.transpose()?;
+        let mut images = Images::open(settings.state)?;
+        let mut units = Vec::new();
+        for config in &settings.devices {
+            let flash = images.load(config)?;
+            let device = VirtualDevice::with_flash(config, flash, random_seed());
+            units.push(Arc::new(Unit::new(config, device, settings.speed)));
+        }
+
+        let mut endpoints = vec![Vec::new(); units.len()];
+        for (bus, door) in buses.iter().zip(&doors) {
+            for member in &bus.members {
+                endpoints[*member].push(door.name(&bus.endpoint));
+            }
+        }
+        let mut ready = Vec::new();
+        for (unit, endpoints) in units.iter().zip(&endpoints) {
+            ready.extend(endpoints.iter().map(|endpoint| (unit.name.clone(), endpoint.clone())));
+        }
+        let url = http.as_ref().map(|(http, token)| http.url(token));
+
+        let mut server = Self { ready, url, stop: Stop::new()?, threads: Vec::new(), images, runtime };
+        for unit in &units {
+            let (unit, stop) = (Arc::clone(unit), server.stop.watch());
+            server.spawn("device", move || while !stop.within(Some(unit.tend())) {})?;
+        }
+        for (bus, door) in buses.iter().zip(doors) {
+            let port = |member: &usize| (Arc::clone(&units[*member]), port(bus));
+            let line = Arc::new(Line::new(bus.members.iter().map(port).collect()));
+            let stop = server.stop.watch();
+            server.spawn("endpoint", move || door.serve(line, &stop))?;
+        }
+        if let Some(keeper) = server.images.keeper(server.stop.watch()) {
+            server.spawn("images", keeper)?;
+        }
+        if let Some((http, token)) = http {
+            let units = units.into_iter().zip(endpoints).collect();
+            server.runtime.spawn(async move {
+                if let Err(error) = http.serve(token, units).await {
+                    eprintln!("warning: HTTP ends: {error}");
+                }
+            });
+        }
+        Ok(server)
+    }
+
+    /// Device names with the endpoints at which they can be reached, real port numbers included.
+    pub fn ready(&self) -> &[(String, String)] {
+        &self.ready
+    }
+
+    /// Address of the HTTP interface, with the token.
+    pub fn url(&self) -> Option<&str> {
+        self.url.as_deref()
+    }
+
+    /// Catches the signals that ask the process to end, from now on.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn signals(&self) -> Result<Signals<'_>, Error> {
+        Signals::catch(&self.runtime)
+    }
+
+    /// Closes everything and saves the images.
+    ///
+    /// # Errors
+    /// An image cannot be saved; the others are.
+    pub fn stop(self) -> Result<(), Error> {
+        drop(self.stop);
+        // What is still asked over HTTP is answered or not; the state no longer counts.
+        self.runtime.shutdown_background();
+        for thread in self.threads {
+            // A thread that panicked has said so.
+            let _ = thread.join();
+        }
+        self.images.save()
+    }
+
+    fn spawn(&mut self, name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Error> {
+        let thread = thread::Builder::new().name(name.into()).spawn(work);
+        self.threads.push(thread.map_err(Error::system("thread"))?);
+        Ok(())
+    }
+}
+
+/// An endpoint that is open but not served yet.
+enum Door {
+    Tcp(Tcp),
+    Pty(Pty),
+}
+
+impl Door {
+    fn open(bus: &Bus) -> Result<Self, Error> {
+        Ok(match &bus.endpoint {
+            Endpoint::Tcp { host, port } => Self::Tcp(Tcp::bind((host, *port), Framing::Plain)?),
+            Endpoint::SlcanTcp { host, port } => Self::Tcp(Tcp::bind((host, *port), Framing::Slcan)?),
+            Endpoint::Pty { path } => Self::Pty(Pty::open(path)?),
+        })
+    }
+
+    /// The endpoint with the real port.
+    fn name(&self, asked: &Endpoint) -> String {
+        let mut endpoint = asked.clone();
+        if let (Self::Tcp(tcp), Endpoint::Tcp { port, .. } | Endpoint::SlcanTcp { port, .. }) =
+            (self, &mut endpoint)
+        {
+            *port = tcp.port();
+        }
+        endpoint.to_string()
+    }
+
+    fn serve(self, line: Arc<Line>, stop: &stop::Watch) {
+        match self {
+            Self::Tcp(tcp) => tcp.serve(&line, stop),
+            Self::Pty(pty) => pty.serve(&line, stop),
+        }
+    }
+}
+
+/// The port that a device on this bus is connected by.
+fn port(bus: &Bus) -> devices::Port {
+    match bus.endpoint {
+        Endpoint::SlcanTcp { .. } => devices::Port::Can,
+        _ if bus.is_shared() => devices::Port::Rs485,
+        _ => devices::Port::Usb,
+    }
+}
+
+fn random_seed() -> u64 {
+    // Without random numbers every run has the same ones, which harms nobody.
+    getrandom::u64().unwrap_or(0)
+}

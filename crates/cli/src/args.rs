@@ -1,0 +1,139 @@
+//! The command line.
+
+use clap::{Args as Group, Parser, Subcommand};
+use devices::Model;
+use sim::{Endpoint, TimedInput};
+use std::{path::PathBuf, str::FromStr};
+
+/// Virtual stepper motion controllers, and the tools for their programs.
+#[derive(Parser)]
+#[command(name = "pulsetrain", version, subcommand_required = true, arg_required_else_help = true)]
+pub struct Args {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Subcommand)]
+pub enum Command {
+    /// Serve virtual controllers over TCP, pseudo-terminals and CAN adapters
+    Serve(ServeArgs),
+    /// Run a program in virtual time
+    Run(RunArgs),
+    /// Print a shell's completions
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+}
+
+/// Arguments of `serve`.
+#[derive(Group)]
+#[command(after_help = "\
+ENDPOINT is tcp:HOST:PORT (port 0 picks one), pty:PATH (PATH becomes a link to the terminal) or
+slcan-tcp:HOST:PORT. Devices with the same endpoint share an RS-485 or CAN bus; a name that is there
+again is the same device at one more endpoint. Without devices and bench file there is one of each model,
+on ports 4001, 4002, ... of 127.0.0.1.")]
+pub struct ServeArgs {
+    /// A device and where it listens
+    #[arg(value_name = "MODEL[=NAME]@ENDPOINT")]
+    pub devices: Vec<DeviceArg>,
+    /// Bench file with devices and the machines that they move
+    #[arg(long, value_name = "FILE")]
+    pub bench: Option<PathBuf>,
+    /// Where HTTP listens
+    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:8340")]
+    pub http: String,
+    /// No HTTP
+    #[arg(long, conflicts_with = "http")]
+    pub no_http: bool,
+    /// Seconds of device time a second
+    #[arg(long, value_name = "N", default_value = "1", value_parser = speed)]
+    pub speed: f64,
+    /// Directory for flash images; without it they live in memory
+    #[arg(long, value_name = "DIR")]
+    pub state: Option<PathBuf>,
+}
+
+/// Arguments of `run`.
+#[derive(Group)]
+pub struct RunArgs {
+    /// The program: source (.tmc) or machine code (.bin)
+    pub program: PathBuf,
+    /// The controller that runs it
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: &'static Model,
+    /// Bench file; its first device of the model tells the machine
+    #[arg(long, value_name = "FILE")]
+    pub bench: Option<PathBuf>,
+    /// Device time after which the run ends
+    #[arg(long = "for", value_name = "SECONDS", default_value = "3600", value_parser = seconds)]
+    pub limit_s: f64,
+    /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
+    #[arg(long, value_name = "TIME:PIN=VALUE")]
+    pub at: Vec<TimedInput>,
+    /// Write what happened to a file (.csv)
+    #[arg(long, value_name = "FILE")]
+    pub record: Vec<PathBuf>,
+    /// Draw what happened (.svg)
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+    /// Print the result as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `MODEL[=NAME]@ENDPOINT`
+#[derive(Clone)]
+pub struct DeviceArg {
+    /// What it is.
+    pub model: &'static Model,
+    /// What it is called.
+    pub name: String,
+    /// Where it listens.
+    pub endpoint: Endpoint,
+}
+
+impl FromStr for DeviceArg {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (device, endpoint) = text.split_once('@').ok_or("write MODEL[=NAME]@ENDPOINT")?;
+        let (model_name, name) = device.split_once('=').unwrap_or((device, device));
+        let model = model(model_name)?;
+        if !is_name(name) {
+            return Err(format!("`{name}` is not a name: letters, digits, `.`, `_`, `-`"));
+        }
+        let endpoint = endpoint.parse().map_err(|error| format!("{error}"))?;
+        Ok(Self { model, name: name.into(), endpoint })
+    }
+}
+
+fn model(name: &str) -> Result<&'static Model, String> {
+    devices::model(name).ok_or_else(|| {
+        let known: Vec<_> = devices::MODELS.iter().map(|model| model.name).collect();
+        format!("unknown model `{name}`, known: {}", known.join(", "))
+    })
+}
+
+fn speed(text: &str) -> Result<f64, String> {
+    let range = server::SPEEDS;
+    let speed = text.parse().ok().filter(|speed| range.contains(speed));
+    speed.ok_or_else(|| format!("a speed is a number from {} to {}", range.start(), range.end()))
+}
+
+/// Longest run: the pulses of a century still fit all counters of time.
+const MAX_RUN_S: f64 = 1e9;
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds| (0.0..=MAX_RUN_S).contains(seconds));
+    seconds.ok_or_else(|| format!("a time is a number of seconds from 0 to {MAX_RUN_S}"))
+}
+
+/// What a bench file takes for a name, too: a name is also a file's name and a part of a URL.
+fn is_name(name: &str) -> bool {
+    !name.starts_with('.')
+        && (1..=64).contains(&name.len())
+        && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))
+}

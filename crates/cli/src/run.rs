@@ -1,0 +1,122 @@
+//! `pulsetrain run`
+
+use crate::{Failure, Outcome, args::RunArgs, programs};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use sim::{
+    Bench, DeviceConfig, RunOptions, RunResult, StopReason, VirtualDevice,
+    record::{self, RecordError},
+    run::Progress,
+};
+use std::{
+    io::{IsTerminal, stderr},
+    path::Path,
+    time::{Duration, Instant},
+};
+
+/// Exit status when the program went into its error state.
+const PROGRAM_ERROR: u8 = 2;
+
+/// A run that takes longer than this shows how far it is.
+const PATIENCE: Duration = Duration::from_millis(500);
+
+/// Positions of the bar.
+const BAR_STEPS: u64 = 1000;
+
+/// Random numbers of a device whose bench file has no seed: the same in every run.
+const SEED: u64 = 0;
+
+/// Runs a program and shows what came of it.
+pub fn run(args: RunArgs) -> Outcome {
+    let program = programs::load(&args.program)?;
+    let mut device = VirtualDevice::new(&config(&args)?, SEED);
+    let info = device.record_info();
+    if let Some(plot) = &args.plot
+        && plot.extension().is_none_or(|extension| extension != "svg")
+    {
+        return Err(Failure::Line(format!("{}: a plot is an .svg file", plot.display())));
+    }
+    let files: Vec<&Path> = args.record.iter().chain(&args.plot).map(AsRef::as_ref).collect();
+    if let Some((_, file)) = files.iter().enumerate().find(|(at, file)| files[..*at].contains(file)) {
+        return Err(Failure::Line(format!("{}: one file cannot hold two recordings", file.display())));
+    }
+    let recorders =
+        files.iter().map(|file| record::create(file, &info)).collect::<Result<Vec<_>, RecordError>>()?;
+    recorders.into_iter().for_each(|recorder| device.add_recorder(recorder));
+
+    let options = RunOptions { for_seconds: Some(args.limit_s), inputs: args.at };
+    let mut bar = Bar::new();
+    let result = sim::run(&mut device, &program, &options, |progress| bar.show(progress));
+    drop(bar);
+    let result = result.map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
+    device.finish_recordings()?;
+
+    if args.json {
+        println!("{}", serde_json::to_string(&result)?);
+    } else {
+        print!("{}", report(&result));
+    }
+    if result.stop_reason == StopReason::Error {
+        let counter = device.program(0).map_or(0, |program| program.counter);
+        eprintln!("error: {}: the program went into its error state at {counter}", args.program.display());
+        return Err(Failure::Told(PROGRAM_ERROR));
+    }
+    Ok(())
+}
+
+/// The device in its machine.
+fn config(args: &RunArgs) -> Result<DeviceConfig, Failure> {
+    let Some(file) = &args.bench else { return Ok(DeviceConfig::new(args.device)) };
+    let bench = Bench::read(file)?;
+    let found = bench.devices.into_iter().find(|device| device.model.name == args.device.name);
+    found.ok_or_else(|| Failure::Line(format!("{}: there is no {}", file.display(), args.device.name)))
+}
+
+fn report(result: &RunResult) -> String {
+    let RunResult { stop_reason, device_seconds, wall_seconds, instructions, axes } = result;
+    let mut text = format!(
+        "{} after {device_seconds:.6} s and {instructions} instructions, in {wall_seconds:.3} s\n",
+        stop_reason.name()
+    );
+    for (name, axis) in axes {
+        text += &format!(
+            "axis {name}: position {}, encoder {}, steps {}, status {}\n",
+            axis.position, axis.encoder, axis.steps, axis.status
+        );
+    }
+    text
+}
+
+/// The progress bar, on a terminal, once it is worth one.
+struct Bar {
+    started: Instant,
+    bar: Option<ProgressBar>,
+}
+
+impl Bar {
+    fn new() -> Self {
+        Self { started: Instant::now(), bar: None }
+    }
+
+    fn show(&mut self, progress: Progress) {
+        if self.started.elapsed() < PATIENCE || !stderr().is_terminal() {
+            return;
+        }
+        let bar = self.bar.get_or_insert_with(|| {
+            let style = ProgressStyle::with_template("{bar:40} {msg}, {eta} left");
+            let bar = ProgressBar::with_draw_target(Some(BAR_STEPS), ProgressDrawTarget::stderr());
+            // The template is ours; a test draws it.
+            bar.with_style(style.expect("the template is right"))
+        });
+        let whole = progress.for_seconds.unwrap_or(f64::INFINITY);
+        bar.set_position((BAR_STEPS as f64 * progress.device_seconds / whole) as u64);
+        bar.set_message(format!("{:.0} s of {whole} s", progress.device_seconds));
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

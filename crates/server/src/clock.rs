@@ -1,0 +1,98 @@
+//! From the wall clock to the clock of a controller.
+
+use std::time::{Duration, Instant};
+
+/// Clocks of a controller from power-up, as in [`sim::VirtualDevice`].
+type Ticks = u64;
+
+/// The slowest and fastest that device time may run, in seconds of it a second of wall clock.
+pub const SPEEDS: std::ops::RangeInclusive<f64> = 0.001..=1000.0;
+
+/// A device that fell further behind than this, in wall clock, does not catch up: the machine is too slow
+/// for the speed asked for, or was asleep. Its time then runs late instead of ever faster.
+const MAX_BEHIND: Duration = Duration::from_millis(250);
+
+/// Nanoseconds a second times the millionths that a speed is counted in.
+const SCALE: u128 = 1_000_000_000 * 1_000_000;
+
+/// Device time as a function of the wall clock: exact, so that rounding never adds up.
+#[derive(Debug)]
+pub(crate) struct Clock {
+    started: Instant,
+    /// Clocks a second of wall clock, in millionths.
+    rate_micro: u128,
+    /// Clocks that the device will never make up for.
+    skipped: Ticks,
+}
+
+impl Clock {
+    /// A clock that starts at 0 now and runs `clock_hz · speed` a second.
+    pub fn new(clock_hz: u32, speed: f64, now: Instant) -> Self {
+        assert!(SPEEDS.contains(&speed), "the speed was checked where it came in");
+        let speed_micro = (speed * 1e6).round() as u128;
+        Self { started: now, rate_micro: u128::from(clock_hz) * speed_micro, skipped: 0 }
+    }
+
+    /// The clock to which a device must advance that has come to `done`.
+    pub fn due(&mut self, now: Instant, done: Ticks) -> Ticks {
+        let due = self.ticks(now.saturating_duration_since(self.started)).saturating_sub(self.skipped);
+        let behind = due.saturating_sub(done);
+        let most = self.ticks(MAX_BEHIND);
+        if behind > most {
+            self.skipped += behind - most;
+            return done + most;
+        }
+        due.max(done)
+    }
+
+    /// How long from a moment at which `now` ticks are due until `later` are.
+    pub fn until(&self, now: Ticks, later: Ticks) -> Duration {
+        let nanos = u128::from(later.saturating_sub(now)) * SCALE / self.rate_micro;
+        Duration::from_nanos(u64::try_from(nanos).unwrap_or(u64::MAX))
+    }
+
+    fn ticks(&self, span: Duration) -> Ticks {
+        u64::try_from(span.as_nanos() * self.rate_micro / SCALE).unwrap_or(Ticks::MAX)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_follow_the_wall_clock_exactly() {
+        let start = Instant::now();
+        let mut clock = Clock::new(16_000_000, 2.5, start);
+        let mut done = 0;
+        for ms in 1..=10_000 {
+            done = clock.due(start + Duration::from_millis(ms), done);
+            assert_eq!(done, ms * 40_000);
+        }
+    }
+
+    #[test]
+    fn time_never_runs_back() {
+        let start = Instant::now();
+        let mut clock = Clock::new(1_000_000, 1.0, start + Duration::from_secs(1));
+        assert_eq!(clock.due(start, 77), 77);
+    }
+
+    #[test]
+    fn a_late_device_skips_what_it_missed() {
+        let start = Instant::now();
+        let mut clock = Clock::new(1_000_000, 1.0, start);
+        let done = clock.due(start + Duration::from_secs(100), 0);
+        assert_eq!(done, 250_000, "no more than the limit at once");
+        let next = clock.due(start + Duration::from_millis(100_010), done);
+        assert_eq!(next, 260_000, "and then on at the usual pace");
+    }
+
+    #[test]
+    fn waiting_times_are_wall_clock() {
+        let clock = Clock::new(1_000_000, 4.0, Instant::now());
+        assert_eq!(clock.until(0, 4_000_000), Duration::from_secs(1));
+        assert_eq!(clock.until(10, 5), Duration::ZERO);
+        assert_eq!(clock.until(0, Ticks::MAX), Duration::from_nanos((u64::MAX as u128 * 250) as u64));
+    }
+}

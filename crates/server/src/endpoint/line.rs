@@ -1,0 +1,46 @@
+//! What hangs on an endpoint: one device, or all those that share a bus.
+
+use super::Sink;
+use crate::unit::{Sent, Unit};
+use devices::Port;
+use std::{sync::Arc, thread};
+
+/// The devices at the far end of an endpoint, each with the port that it is connected by.
+pub(crate) struct Line {
+    stations: Vec<(Arc<Unit>, Port)>,
+}
+
+impl Line {
+    /// A line to these.
+    pub fn new(stations: Vec<(Arc<Unit>, Port)>) -> Self {
+        Self { stations }
+    }
+
+    /// Somebody who talks over the line; `sink` takes what devices say later by themselves.
+    pub fn client(&self, sink: Arc<dyn Sink>) -> Client<'_> {
+        Client { line: self, sink, sent: Vec::new() }
+    }
+}
+
+/// One client of a line.
+pub(crate) struct Client<'a> {
+    line: &'a Line,
+    sink: Arc<dyn Sink>,
+    sent: Vec<Sent>,
+}
+
+impl Client<'_> {
+    /// Gives bytes to every device on the line and their replies to `reply`, after the pause that the
+    /// device was told to keep. Stops, and says so, when `reply` fails.
+    pub fn exchange(&mut self, bytes: &[u8], mut reply: impl FnMut(&[u8]) -> bool) -> bool {
+        for (unit, port) in &self.line.stations {
+            unit.exchange(*port, bytes, &self.sink, &mut self.sent);
+        }
+        self.sent.drain(..).all(|sent| {
+            if !sent.pause.is_zero() {
+                thread::sleep(sent.pause);
+            }
+            reply(&sent.bytes)
+        })
+    }
+}

@@ -1,0 +1,148 @@
+//! The calls, one function each.
+
+use super::{
+    Failure, Site,
+    stream::stream as states,
+    view::{Summary, View},
+};
+use crate::unit::Unit;
+use axum::{
+    Json,
+    body::Bytes,
+    extract::{
+        Path, State, WebSocketUpgrade,
+        rejection::{BytesRejection, PathRejection},
+        ws::rejection::WebSocketUpgradeRejection,
+    },
+    http::StatusCode,
+    response::{IntoResponse, Response},
+};
+use serde_json::Value;
+use sim::{PinError, PinValue, device::AxisError};
+use std::sync::Arc;
+
+type Shared = State<Arc<Site>>;
+type Place<T> = Result<Path<T>, PathRejection>;
+type Body = Result<Bytes, BytesRejection>;
+type Answer<T> = Result<T, Failure>;
+
+impl Site {
+    fn find(&self, name: &str) -> Answer<usize> {
+        self.units.iter().position(|(unit, _)| unit.name == name).ok_or_else(|| {
+            Failure::unknown("device", name, self.units.iter().map(|(unit, _)| unit.name.as_str()))
+        })
+    }
+
+    fn unit(&self, name: &str) -> Answer<&Unit> {
+        Ok(&self.units[self.find(name)?].0)
+    }
+}
+
+/// `GET /api/devices`
+pub async fn devices(State(site): Shared) -> Response {
+    let list: Vec<_> = site.units.iter().map(|(unit, endpoints)| Summary::of(unit, endpoints)).collect();
+    Json(list).into_response()
+}
+
+/// `GET /api/devices/NAME`
+pub async fn device(State(site): Shared, place: Place<String>) -> Answer<Response> {
+    let (unit, endpoints) = &site.units[site.find(&at(place)?)?];
+    Ok(Json(View::of(unit, endpoints)).into_response())
+}
+
+/// `GET /api/devices/NAME/stream`
+pub async fn stream(
+    State(site): Shared,
+    place: Place<String>,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Answer<Response> {
+    let number = site.find(&at(place)?)?;
+    let upgrade = upgrade.map_err(|why| Failure::new(why.status(), "this is a WebSocket"))?;
+    Ok(upgrade.on_upgrade(move |socket| states(socket, site, number)))
+}
+
+/// `GET /api/devices/NAME/pins/PIN`
+pub async fn read_pin(State(site): Shared, place: Place<(String, String)>) -> Answer<Json<PinValue>> {
+    let (name, pin) = at(place)?;
+    Ok(Json(site.unit(&name)?.with(|device| device.read_pin(&pin))?))
+}
+
+/// `PUT /api/devices/NAME/pins/PIN`
+pub async fn drive_pin(
+    State(site): Shared,
+    place: Place<(String, String)>,
+    body: Body,
+) -> Answer<StatusCode> {
+    let (name, pin) = at(place)?;
+    let unit = site.unit(&name)?;
+    let value = match json(body)? {
+        Value::Bool(on) => PinValue::Level(on),
+        Value::Number(number) => PinValue::Number(number.as_f64().unwrap_or(f64::NAN)),
+        other => return Err(unprocessable(format!("`{other}` is not true, false or a number"))),
+    };
+    unit.with(|device| device.drive_pin(&pin, value))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `DELETE /api/devices/NAME/pins/PIN`
+pub async fn release_pin(State(site): Shared, place: Place<(String, String)>) -> Answer<StatusCode> {
+    let (name, pin) = at(place)?;
+    site.unit(&name)?.with(|device| device.release_pin(&pin))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `PUT /api/devices/NAME/axes/AXIS/load`
+pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
+    let (name, axis) = at(place)?;
+    let unit = site.unit(&name)?;
+    let value = json(body)?;
+    let load = value.as_f64().ok_or_else(|| unprocessable(format!("`{value}` is not a number")))?;
+    unit.with(|device| device.set_load(&axis, load))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `POST /api/devices/NAME/power-cycle`
+pub async fn power_cycle(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
+    site.unit(&at(place)?)?.with(|device| device.power_cycle());
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `POST /api/devices/NAME/power-cut`
+pub async fn power_cut(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
+    site.unit(&at(place)?)?.with(|device| device.power_cut());
+    Ok(StatusCode::NO_CONTENT)
+}
+
+impl From<PinError> for Failure {
+    fn from(error: PinError) -> Self {
+        let status = match error {
+            PinError::Unknown { .. } => StatusCode::NOT_FOUND,
+            _ => StatusCode::UNPROCESSABLE_ENTITY,
+        };
+        Self::new(status, error.to_string())
+    }
+}
+
+impl From<AxisError> for Failure {
+    fn from(error: AxisError) -> Self {
+        let status = match error {
+            AxisError::Unknown { .. } => StatusCode::NOT_FOUND,
+            AxisError::Range => StatusCode::UNPROCESSABLE_ENTITY,
+        };
+        Self::new(status, error.to_string())
+    }
+}
+
+fn at<T>(place: Place<T>) -> Answer<T> {
+    place.map(|Path(place)| place).map_err(|why| Failure::new(why.status(), why.body_text()))
+}
+
+fn json(body: Body) -> Answer<Value> {
+    let bytes = body.map_err(|why| Failure::new(why.status(), why.body_text()))?;
+    serde_json::from_slice(&bytes)
+        .map_err(|why| Failure::new(StatusCode::BAD_REQUEST, format!("the body is not JSON: {why}")))
+}
+
+fn unprocessable(message: String) -> Failure {
+    Failure::new(StatusCode::UNPROCESSABLE_ENTITY, message)
+}

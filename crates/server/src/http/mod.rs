@@ -1,0 +1,55 @@
+//! The HTTP interface: the state of the devices, their pins, and the faults that one can give them.
+
+mod calls;
+mod guard;
+mod serve;
+mod stream;
+mod view;
+
+pub use guard::Token;
+pub(crate) use serve::Http;
+
+use crate::unit::Unit;
+use axum::{
+    Json,
+    http::{StatusCode, header},
+    response::{IntoResponse, Response},
+};
+use std::{net::SocketAddr, sync::Arc};
+
+/// What the calls need.
+pub(crate) struct Site {
+    pub address: SocketAddr,
+    pub token: Token,
+    /// The devices, with the endpoints that each can be reached by.
+    pub units: Vec<(Arc<Unit>, Vec<String>)>,
+}
+
+/// A call that did not do what it should: a status and one sentence for people.
+#[derive(Debug)]
+struct Failure {
+    status: StatusCode,
+    message: String,
+}
+
+impl Failure {
+    fn new(status: StatusCode, message: impl Into<String>) -> Self {
+        Self { status, message: message.into() }
+    }
+
+    /// There is no such thing; `known` are those that there are.
+    fn unknown<'a>(kind: &str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        let known: Vec<_> = known.into_iter().collect();
+        Self::new(StatusCode::NOT_FOUND, format!("unknown {kind} `{name}`, known: {}", known.join(", ")))
+    }
+}
+
+impl IntoResponse for Failure {
+    fn into_response(self) -> Response {
+        let body = Json(serde_json::json!({ "error": self.message }));
+        if self.status == StatusCode::UNAUTHORIZED {
+            return (self.status, [(header::WWW_AUTHENTICATE, "Bearer")], body).into_response();
+        }
+        (self.status, body).into_response()
+    }
+}
