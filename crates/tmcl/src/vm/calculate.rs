@@ -2,7 +2,7 @@
 //! alike.
 
 use super::Variables;
-use super::registers::Registers;
+use super::registers::{Flags, Registers};
 use crate::isa::{Command, Flag, Operation, VARIABLE_BANK, opcode};
 use protocol::tmcl::Status;
 
@@ -32,7 +32,7 @@ const COMP: u8 = Operation::Comp as u8;
 
 /// Applies an operation, other than `SWAP`, to `target`. `None` if there is no such operation.
 #[inline(always)]
-fn operate(operation: u8, target: i32, operand: i32, flags: &mut super::registers::Flags) -> Option<i32> {
+fn operate(operation: u8, target: i32, operand: i32, flags: &mut Flags) -> Option<i32> {
     let result = match operation {
         ADD => target.wrapping_add(operand),
         SUB => target.wrapping_sub(operand),
@@ -55,8 +55,8 @@ fn operate(operation: u8, target: i32, operand: i32, flags: &mut super::register
     Some(result)
 }
 
-/// The variable that the X register names.
-fn indexed(x: i32) -> Option<u8> {
+/// The variable that the X register names, if there is such a one.
+pub(super) fn indexed(x: i32) -> Option<u8> {
     u8::try_from(x).ok()
 }
 
@@ -164,15 +164,4 @@ pub(super) fn calculate(command: Command, registers: &mut Registers, variables: 
         _ => return Effect::Other,
     };
     if done.is_some() { Effect::Done } else { Effect::Failed(Status::WRONG_TYPE) }
-}
-
-/// The value of a command that reads a user variable; `None` if it is no such command. `GIV` with an
-/// index out of range reads nothing.
-#[inline(always)]
-pub(super) fn read(command: Command, registers: &Registers, variables: &Variables) -> Option<Option<i32>> {
-    match command.opcode {
-        opcode::GGP if command.motor == VARIABLE_BANK => Some(Some(variables[usize::from(command.kind)])),
-        opcode::GIV => Some(indexed(registers.x).map(|index| variables[usize::from(index)])),
-        _ => None,
-    }
 }

@@ -1,8 +1,8 @@
 //! Commands that a host sends and the program's own state answers.
 
-use super::calculate::{Effect, calculate, read};
+use super::calculate::{Effect, calculate, indexed};
 use super::{Vm, control};
-use crate::isa::{Command, Mode, available, opcode};
+use crate::isa::{Command, Mode, VARIABLE_BANK, available, opcode};
 use protocol::tmcl::Status;
 
 /// What became of a command that a host has sent.
@@ -24,10 +24,14 @@ impl Vm {
         if let Err(status) = available(command.opcode, Mode::Direct) {
             return Direct::Refused(status);
         }
-        if let Some(value) = read(command, &self.registers, &self.variables) {
-            return Direct::Done(value.unwrap_or(command.value));
-        }
         let done = match command.opcode {
+            opcode::GGP if command.motor == VARIABLE_BANK => {
+                return Direct::Done(self.variable(command.kind));
+            }
+            opcode::GIV => {
+                let value = indexed(self.registers.x).map(|index| self.variable(index));
+                return Direct::Done(value.unwrap_or(command.value));
+            }
             opcode::EI | opcode::DI => self.interrupts.enable(command.kind, command.opcode == opcode::EI),
             opcode::VECT => match control::address(command.value) {
                 Ok(address) => self.interrupts.set_vector(command.kind, address),

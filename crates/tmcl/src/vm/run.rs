@@ -1,8 +1,8 @@
 //! The loop that executes a program.
 
-use super::calculate::{Effect, calculate, read};
+use super::calculate::{Effect, calculate, indexed};
 use super::{Context, Exit, Fault, Mode, Pending, Stopped, Vm, Wait, control};
-use crate::isa::{self, Command, Condition, WaitFor, opcode};
+use crate::isa::{self, Command, Condition, VARIABLE_BANK, WaitFor, opcode};
 use protocol::tmcl::Status;
 
 /// Conditions are numbered from 0.
@@ -46,6 +46,13 @@ impl Vm {
             if !self.breakpoints.is_empty() && self.at_breakpoint() {
                 break Exit::Breakpoint;
             }
+            // Nothing in a burst can make an interrupt due, so one look at them before it is enough.
+            let limit = if self.breakpoints.is_empty() { budget - executed } else { 1 };
+            let burst = self.burst(limit);
+            executed += burst;
+            if burst == limit {
+                continue;
+            }
             let Some(&command) = self.memory.get(usize::from(self.counter)) else {
                 self.stop();
                 break Exit::Stopped(Stopped::End);
@@ -73,53 +80,80 @@ impl Vm {
         (executed, exit)
     }
 
-    /// Executes the command at the program counter.
-    #[inline(always)]
-    fn execute(&mut self, command: Command) -> Next {
-        let Command { opcode, kind, value, .. } = command;
-        match opcode {
-            opcode::JA => jump(value),
-            opcode::JC if kind < CONDITIONS => {
-                if self.registers.flags.holds(kind) {
-                    jump(value)
-                } else {
-                    Next::Following
-                }
-            }
-            opcode::DJNZ => {
-                let variable = &mut self.variables[usize::from(kind)];
-                *variable = variable.wrapping_sub(1);
-                if *variable != 0 { jump(value) } else { Next::Following }
-            }
-            opcode::CSUB => self.call(value),
-            opcode::CALL if kind < CONDITIONS => {
-                if self.registers.flags.holds(kind) {
-                    self.call(value)
-                } else {
-                    Next::Following
-                }
-            }
-            opcode::JC | opcode::CALL => Next::Failed(Status::WRONG_TYPE),
-            opcode::RSUB => self.stack.pop().map_or(Next::Following, Next::Jump),
-            _ => match calculate(command, &mut self.registers, &mut self.variables) {
-                Effect::Done => Next::Following,
-                Effect::Failed(status) => Next::Failed(status),
-                Effect::Other => match read(command, &self.registers, &self.variables) {
-                    Some(value) => {
-                        if let Some(value) = value {
-                            self.registers.read(value);
-                        }
-                        Next::Following
+    /// Executes at most `limit` commands that calculate and jump, with the registers in local variables;
+    /// ends at the first command of another kind, or one that fails. This is the hot loop.
+    fn burst(&mut self, limit: u32) -> u32 {
+        let Self { memory, variables, stack, .. } = self;
+        let mut registers = self.registers;
+        let mut counter = usize::from(self.counter);
+        let mut left = limit;
+        while left > 0 {
+            let Some(&command) = memory.get(counter) else { break };
+            let Command { opcode, kind, motor, value } = command;
+            let mut next = counter + 1;
+            match opcode {
+                opcode::JC if kind < CONDITIONS => {
+                    if registers.flags.holds(kind) {
+                        let Ok(address) = control::address(value) else { break };
+                        next = usize::from(address);
                     }
-                    None => self.execute_rare(command),
-                },
-            },
+                }
+                opcode::JA => {
+                    let Ok(address) = control::address(value) else { break };
+                    next = usize::from(address);
+                }
+                opcode::DJNZ => {
+                    let Ok(address) = control::address(value) else { break };
+                    let variable = &mut variables[usize::from(kind)];
+                    *variable = variable.wrapping_sub(1);
+                    if *variable != 0 {
+                        next = usize::from(address);
+                    }
+                }
+                // A call with a full stack does nothing.
+                opcode::CSUB => {
+                    let Ok(address) = control::address(value) else { break };
+                    if stack.push(next as u16).is_ok() {
+                        next = usize::from(address);
+                    }
+                }
+                opcode::CALL if kind < CONDITIONS => {
+                    if registers.flags.holds(kind) {
+                        let Ok(address) = control::address(value) else { break };
+                        if stack.push(next as u16).is_ok() {
+                            next = usize::from(address);
+                        }
+                    }
+                }
+                opcode::RSUB => {
+                    if let Some(address) = stack.pop() {
+                        next = usize::from(address);
+                    }
+                }
+                opcode::GGP if motor == VARIABLE_BANK => registers.read(variables[usize::from(kind)]),
+                opcode::GIV => {
+                    if let Some(value) = indexed(registers.x).map(|index| variables[usize::from(index)]) {
+                        registers.read(value);
+                    }
+                }
+                _ => {
+                    if calculate(command, &mut registers, variables) != Effect::Done {
+                        break;
+                    }
+                }
+            }
+            counter = next;
+            left -= 1;
         }
+        self.registers = registers;
+        self.counter = counter as u16;
+        limit - left
     }
 
-    /// Commands that a loop seldom meets, and those for the device.
+    /// Executes the command at the program counter, which no [`burst`](Self::burst) would: it fails, or
+    /// it concerns more than registers and variables.
     #[inline(never)]
-    fn execute_rare(&mut self, command: Command) -> Next {
+    fn execute(&mut self, command: Command) -> Next {
         let Command { opcode, kind, value, .. } = command;
         match opcode {
             opcode::EI | opcode::DI => {
@@ -161,22 +195,35 @@ impl Vm {
                 }
                 Err(status) => Next::Failed(status),
             },
+            opcode::JC | opcode::CALL if kind >= CONDITIONS => Next::Failed(Status::WRONG_TYPE),
+            opcode::JC | opcode::JA | opcode::DJNZ | opcode::CSUB | opcode::CALL => {
+                Next::Failed(control::AddressError.into())
+            }
             // Only an empty cell: any other command 0 is an unknown command.
             _ if command == Command::EMPTY => {
                 self.stop();
                 Next::Leave(Exit::Stopped(Stopped::End))
             }
-            _ => match isa::available(opcode, isa::Mode::Program) {
-                Ok(_) => {
-                    self.pending = Pending::Host(command);
-                    Next::Leave(Exit::Host(command))
-                }
-                Err(_) if isa::available(opcode, isa::Mode::Direct).is_ok() => {
-                    self.stop();
-                    Next::Leave(Exit::Stopped(Stopped::DirectOnly(command)))
-                }
-                Err(status) => Next::Failed(status),
+            _ => match calculate(command, &mut self.registers, &mut self.variables) {
+                Effect::Done => Next::Following,
+                Effect::Failed(status) => Next::Failed(status),
+                Effect::Other => self.delegate(command),
             },
+        }
+    }
+
+    /// Hands a command to the device, if a program may contain it.
+    fn delegate(&mut self, command: Command) -> Next {
+        match isa::available(command.opcode, isa::Mode::Program) {
+            Ok(_) => {
+                self.pending = Pending::Host(command);
+                Next::Leave(Exit::Host(command))
+            }
+            Err(_) if isa::available(command.opcode, isa::Mode::Direct).is_ok() => {
+                self.stop();
+                Next::Leave(Exit::Stopped(Stopped::DirectOnly(command)))
+            }
+            Err(status) => Next::Failed(status),
         }
     }
 
@@ -186,16 +233,6 @@ impl Vm {
         let ticks = if command.value == -1 { self.registers.accumulator } else { command.value };
         let ticks = u32::try_from(ticks).map_err(|_| Status::INVALID_VALUE)?;
         Ok(Wait { event, motor: command.motor, ticks })
-    }
-
-    /// A call with a full stack does nothing.
-    #[inline(always)]
-    fn call(&mut self, value: i32) -> Next {
-        match control::address(value) {
-            Ok(address) if self.stack.push(self.counter + 1).is_ok() => Next::Jump(address),
-            Ok(_) => Next::Following,
-            Err(error) => Next::Failed(error.into()),
-        }
     }
 
     #[cold]
@@ -213,13 +250,5 @@ impl Vm {
         }
         self.stop();
         true
-    }
-}
-
-#[inline(always)]
-fn jump(value: i32) -> Next {
-    match control::address(value) {
-        Ok(address) => Next::Jump(address),
-        Err(error) => Next::Failed(error.into()),
     }
 }
