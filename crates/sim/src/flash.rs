@@ -4,6 +4,8 @@
 //! The image is shared: it outlives the controller that uses it, as flash outlives the power.
 
 mod image;
+#[cfg(test)]
+mod tests;
 
 pub use image::{ImageError, image_path};
 

@@ -20,7 +20,7 @@ pub const INDEX: usize = 3;
 pub const SUPPLY: usize = 4;
 
 const fn pin(name: &'static str, kind: PinKind, wiring: Wiring, unit: &'static str, rest: i32) -> Pin {
-    Pin { name, kind, wiring, unit, rest }
+    Pin { name, kind, wiring, unit, scale: 1, rest }
 }
 
 static PINS: &[Pin] = &[
@@ -28,7 +28,7 @@ static PINS: &[Pin] = &[
     pin("STOP_R", PinKind::Input, Wiring::PositiveLimit(0), "", 1),
     pin("HOME", PinKind::Input, Wiring::Home(0), "", 0),
     pin("INDEX", PinKind::Index(0), Wiring::Index(0), "", 0),
-    pin("SUPPLY", PinKind::Analog, Wiring::Supply, "0.1 V", 240),
+    Pin { scale: 10, ..pin("SUPPLY", PinKind::Analog, Wiring::Supply, "V", 240) },
     pin("OUT", PinKind::Output, Wiring::Free, "", 0),
 ];
 
@@ -94,8 +94,12 @@ fn build(flash: Box<dyn Flash + Send>, _seed: u64) -> Box<dyn Controller + Send>
 impl TestController {
     /// Pulses until the target or the edge of the window.
     fn pulses_left(&self) -> u64 {
+        self.target.abs_diff(self.odometer).min(self.pulses_to_edge())
+    }
+
+    fn pulses_to_edge(&self) -> u64 {
         let edge = if self.target < self.odometer { self.window.0 } else { self.window.1 };
-        self.target.abs_diff(self.odometer).min(edge.abs_diff(self.odometer))
+        edge.abs_diff(self.odometer)
     }
 }
 
@@ -116,8 +120,10 @@ impl Controller for TestController {
         self.watched & (1 << pin) != 0
     }
 
-    fn advance(&mut self, now: Ticks, board: &mut dyn Board) {
+    fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
         assert!(now >= self.now, "time goes back");
+        let edge = self.last_pulse.saturating_add(self.pulses_to_edge().saturating_mul(INTERVAL));
+        let now = if self.pulses_left() == self.pulses_to_edge() { now.min(edge) } else { now };
         self.now = now;
         let due = (now - self.last_pulse) / INTERVAL;
         let count = due.min(self.pulses_left()) as u32;
@@ -129,10 +135,11 @@ impl Controller for TestController {
             self.odometer += direction.sign() * i64::from(count);
             self.steps += u64::from(count);
         }
+        now
     }
 
     fn wake(&self) -> Ticks {
-        match self.pulses_left() {
+        match self.target.abs_diff(self.odometer) {
             0 => Ticks::MAX,
             pulses => self.last_pulse + pulses * INTERVAL,
         }
@@ -145,7 +152,7 @@ impl Controller for TestController {
                 self.target = value as i64;
                 self.last_pulse = self.now;
             }
-            1 => board.drive(0, Drive { step: (value >> 8) as i16, current: value as u8 }),
+            1 => board.drive(0, Drive { step: (value >> 8) as i16, parts: 1, current: value as u8 }),
             2 => self.watched = value as u8,
             3 => {
                 let _ = self.flash.write((value >> 32) as u32, &(value as u32).to_le_bytes());

@@ -282,9 +282,9 @@ impl Source<'_> {
             table = value.get_ref().as_table();
             array = value.get_ref().as_array();
         }
-        let keys: Vec<_> = path.iter().copied().filter(|key| *key != "axis" || path.len() > 3).collect();
+        // The line says which device it is.
         let keys: Vec<_> =
-            keys.iter().enumerate().filter(|(place, _)| *place != 1).map(|(_, key)| *key).collect();
+            path.iter().enumerate().filter(|(place, _)| *place != 1).map(|(_, key)| *key).collect();
         BenchError::Entry { file: self.file.into(), line: self.line(offset), key: keys.join("."), problem }
     }
 }

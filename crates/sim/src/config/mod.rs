@@ -2,6 +2,8 @@
 
 mod endpoint;
 mod file;
+#[cfg(test)]
+mod tests;
 
 pub use endpoint::{Endpoint, EndpointError};
 pub use file::BenchError;
@@ -16,7 +18,7 @@ pub const MAX_PULSES: i64 = 1 << 40;
 /// Most devices of one bench file.
 pub const MAX_DEVICES: usize = 256;
 
-/// Seconds, volts and the like have a default so that a device needs nothing but its model.
+/// Motor supply where a bench file names none, in volts.
 pub const DEFAULT_SUPPLY_V: f64 = 24.0;
 
 /// Temperature of the driver stage where a bench file names none, in °C.

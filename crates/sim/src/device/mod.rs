@@ -3,6 +3,8 @@
 mod pins;
 mod schedule;
 mod state;
+#[cfg(test)]
+mod tests;
 mod world;
 
 pub use pins::{ParsePinValueError, PinError, PinValue};
@@ -139,8 +141,9 @@ impl VirtualDevice {
         let mut standstill = 0;
         loop {
             let before = self.now();
-            let now = self.wake().min(until).max(before);
-            self.step(now);
+            // Stops at everything that happens, so that what is sent and recorded has its exact time.
+            self.step(self.wake().min(until).max(before));
+            let now = self.now();
             if now >= until && self.wake() > now {
                 return;
             }
@@ -381,14 +384,14 @@ impl VirtualDevice {
         self.moving = self.movement();
     }
 
-    /// Goes to device time `now`, at which something is due or nothing.
+    /// Goes to device time `now`, or to the first change of an input before it.
     fn step(&mut self, now: Ticks) {
-        let clock = now - self.world.origin;
-        self.world.clock = clock;
+        self.world.clock = now - self.world.origin;
         self.tell_flash_the_time();
-        self.controller.advance(clock, &mut self.world);
+        // Less than was asked for where a shaft has come to the edge of its window.
+        self.world.clock = self.controller.advance(self.world.clock, &mut self.world);
         self.settle();
-        while let Some(due) = self.schedule.take(now) {
+        while let Some(due) = self.schedule.take(self.now()) {
             self.put(due.pin, due.level);
         }
         if self.world.is_recording() {
@@ -411,7 +414,7 @@ impl VirtualDevice {
             assert!(rounds < MAX_SETTLING, "the inputs of {} do not settle", self.config.name);
         }
         for axis in 0..self.world.windows.len() {
-            let window = self.world.window(axis, |pin| self.controller.watches(pin));
+            let window = self.world.window(axis, self.controller.as_ref());
             if self.world.windows[axis] != Some(window) {
                 self.world.windows[axis] = Some(window);
                 self.controller.set_window(axis, window.0, window.1);
@@ -429,7 +432,7 @@ impl VirtualDevice {
             self.tell(pin, level);
         } else if self.world.is_free(pin)
             && self.world.machine.is_jumped(pin, from)
-            && self.controller.watches(pin)
+            && self.world.watches(pin, self.controller.as_ref())
         {
             // Full steps are longer than some marks: it was on within a pulse.
             self.tell(pin, 1 - level);
@@ -439,7 +442,10 @@ impl VirtualDevice {
 
     fn tell(&mut self, pin: usize, level: i32) {
         self.told[pin] = level;
-        self.world.record_pin(pin, level);
+        // A mark that nobody watches is seen late, if at all: a recording had better not name it.
+        if self.world.watches(pin, self.controller.as_ref()) {
+            self.world.record_pin(pin, level);
+        }
         self.controller.input(pin, level != 0, &mut self.world);
     }
 

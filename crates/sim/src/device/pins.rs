@@ -60,7 +60,7 @@ pub(super) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
         (PinKind::Input | PinKind::Index(_), PinValue::Number(_)) => Err(PinError::NeedsLevel(name())),
         (PinKind::Analog, PinValue::Level(_)) => Err(PinError::NeedsNumber { name: name(), unit: pin.unit }),
         (PinKind::Analog, PinValue::Number(number)) => {
-            let rounded = number.round();
+            let rounded = (number * f64::from(pin.scale)).round();
             // NaN is in no range.
             let fits = (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&rounded);
             if fits { Ok(rounded as i32) } else { Err(PinError::Range(name())) }
@@ -71,7 +71,7 @@ pub(super) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
 /// What a level or number of a pin means.
 pub(super) fn from_level(pin: &Pin, level: i32) -> PinValue {
     match pin.kind {
-        PinKind::Analog => PinValue::Number(f64::from(level)),
+        PinKind::Analog => PinValue::Number(f64::from(level) / f64::from(pin.scale)),
         _ => PinValue::Level(level != 0),
     }
 }

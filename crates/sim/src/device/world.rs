@@ -2,10 +2,10 @@
 
 use crate::{
     config::DeviceConfig,
-    machine::Machine,
+    machine::{Edge, Machine},
     record::{Mark, Recorder},
 };
-use devices::{AxisState, Board, Drive, Pin, PinKind, Port};
+use devices::{AxisState, Board, Controller, Drive, Pin, PinKind, Port};
 use motion::{Moment, Ticks, Train};
 use std::collections::VecDeque;
 
@@ -46,6 +46,8 @@ pub(super) struct World {
     /// The odometer window of each axis that the controller was given.
     pub windows: Vec<Option<(i64, i64)>>,
     recordings: Vec<Recording>,
+    /// Room for [`window`](Self::window).
+    edges: Vec<Edge>,
 }
 
 impl World {
@@ -60,6 +62,7 @@ impl World {
             stirred: true,
             windows: vec![None; axes.len()],
             recordings: Vec::new(),
+            edges: Vec::with_capacity(pins.len()),
         }
     }
 
@@ -101,11 +104,27 @@ impl World {
         self.driven[pin].is_none()
     }
 
+    /// Whether the clock matters at which an input changes: to the controller, or to a recording. Only
+    /// index marks are too many to record them all.
+    pub fn watches(&self, pin: usize, controller: &dyn Controller) -> bool {
+        let recorded = self.is_recording() && self.pins[pin].kind == PinKind::Input;
+        !self.is_free(pin) || recorded || controller.watches(pin)
+    }
+
     /// How far an axis can go before an input changes that is watched. A pin that is driven by hand does
     /// not care where the shaft is.
-    pub fn window(&mut self, axis: usize, watches: impl Fn(usize) -> bool) -> (i64, i64) {
-        let driven = &self.driven;
-        self.machine.window(axis, |pin| driven[pin].is_none() && watches(pin))
+    pub fn window(&mut self, axis: usize, controller: &dyn Controller) -> (i64, i64) {
+        let mut edges = std::mem::take(&mut self.edges);
+        edges.clear();
+        edges.extend(
+            (0..self.pins.len())
+                .filter(|pin| self.machine.is_on_axis(*pin, axis) && self.is_free(*pin))
+                .filter(|pin| self.watches(*pin, controller))
+                .map(|pin| self.machine.edge(pin)),
+        );
+        let window = self.machine.window(axis, &edges);
+        self.edges = edges;
+        window
     }
 
     /// Drives an input by hand, or gives it back.

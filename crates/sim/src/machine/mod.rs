@@ -13,6 +13,7 @@ use devices::{Drive, Pin, PinKind, Wiring};
 use encoder::Counter;
 use fitting::fitting;
 use motion::Train;
+pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
 use zone::Zone;
 
@@ -26,7 +27,6 @@ pub(crate) struct Machine {
     contacts: Vec<Option<Contact>>,
     /// Analog quantities by pin.
     quantities: Vec<i32>,
-    edges: Vec<(Side, i64, i64)>,
 }
 
 /// A switch or mark: on in a zone of a shaft.
@@ -82,12 +82,12 @@ impl Machine {
         let quantities = pins
             .iter()
             .map(|pin| match pin.wiring {
-                Wiring::Supply => in_unit(config.supply_v, pin.unit).unwrap_or(pin.rest),
-                Wiring::Temperature => in_unit(config.temperature_c, pin.unit).unwrap_or(pin.rest),
+                Wiring::Supply => in_board_units(config.supply_v, pin),
+                Wiring::Temperature => in_board_units(config.temperature_c, pin),
                 _ => pin.rest,
             })
             .collect();
-        Self { axes: shafts.collect(), encoders, contacts, quantities, edges: Vec::with_capacity(pins.len()) }
+        Self { axes: shafts.collect(), encoders, contacts, quantities }
     }
 
     /// Counters start from 0 and the driver stages as if nobody had told them anything.
@@ -164,21 +164,24 @@ impl Machine {
         self.contacts[pin].is_some_and(|contact| contact.zone.is_jumped(from, self.place(&contact)))
     }
 
-    /// The odometer window of an axis in which no pin changes that `watched` says yes to.
-    pub fn window(&mut self, axis: usize, watched: impl Fn(usize) -> bool) -> (i64, i64) {
-        let mut edges = std::mem::take(&mut self.edges);
-        edges.clear();
-        for (pin, contact) in self.contacts.iter().enumerate() {
-            if let Some(contact) = contact.filter(|contact| contact.axis == axis)
-                && watched(pin)
-            {
-                let place = self.place(&contact);
-                edges.push((contact.side, contact.zone.below(place), contact.zone.above(place)));
-            }
-        }
-        let window = self.axes[axis].window(&edges);
-        self.edges = edges;
-        window
+    /// Whether what a pin hangs on is moved by an axis.
+    pub fn is_on_axis(&self, pin: usize, axis: usize) -> bool {
+        self.contacts[pin].is_some_and(|contact| contact.axis == axis)
+    }
+
+    /// Where the switch or mark at a pin changes next, below and above.
+    ///
+    /// # Panics
+    /// If the pin hangs on nothing.
+    pub fn edge(&self, pin: usize) -> Edge {
+        let contact = self.contacts[pin].expect("a pin on an axis hangs on something");
+        let place = self.place(&contact);
+        Edge { side: contact.side, below: contact.zone.below(place), above: contact.zone.above(place) }
+    }
+
+    /// The odometer window of an axis in which it arrives at none of these edges.
+    pub fn window(&self, axis: usize, edges: &[Edge]) -> (i64, i64) {
+        self.axes[axis].window(edges)
     }
 
     fn place(&self, contact: &Contact) -> i64 {
@@ -190,28 +193,7 @@ fn permille(load: f64) -> u32 {
     (load * f64::from(FULL_TORQUE)).round() as u32
 }
 
-/// A quantity in a pin's unit: `mV`, `0.1 V`, `°C`.
-fn in_unit(quantity: f64, unit: &str) -> Option<i32> {
-    let (scale, name) = unit.rsplit_once(' ').unwrap_or(("1", unit));
-    let milli = name.strip_prefix('m').is_some_and(|rest| !rest.is_empty());
-    let scale: f64 = scale.parse().ok().filter(|scale| *scale > 0.0)?;
-    Some((quantity * if milli { 1000.0 } else { 1.0 } / scale).round() as i32)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::in_unit;
-
-    #[test]
-    fn quantities_come_in_the_unit_of_the_pin() {
-        for (quantity, unit, expected) in [
-            (24.0, "V", 24),
-            (24.0, "mV", 24_000),
-            (24.0, "0.1 V", 240),
-            (25.0, "°C", 25),
-            (25.5, "0.5 °C", 51),
-        ] {
-            assert_eq!(in_unit(quantity, unit), Some(expected), "{unit}");
-        }
-    }
+/// Volts or degrees Celsius in the integers of a pin.
+fn in_board_units(quantity: f64, pin: &Pin) -> i32 {
+    (quantity * f64::from(pin.scale)).round() as i32
 }

@@ -10,6 +10,9 @@ pub(crate) const FULL_TORQUE: u32 = 1000;
 /// Largest coil current of a [`Drive`].
 const FULL_CURRENT: u32 = 32;
 
+/// A driver stage that no controller has told anything yet.
+const UNTOLD: Drive = Drive { step: 1, parts: 1, current: FULL_CURRENT as u8 };
+
 /// Which of two positions is meant: they differ by the play between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
@@ -17,6 +20,14 @@ pub(crate) enum Side {
     Motor,
     /// What it drives.
     Load,
+}
+
+/// Positions of one side, below and above its present one, at which something changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Edge {
+    pub side: Side,
+    pub below: i64,
+    pub above: i64,
 }
 
 /// A motor that follows its trains unless it has no current, is loaded too much, or stands against
@@ -39,15 +50,14 @@ pub(crate) struct Shaft {
 impl Shaft {
     pub fn new(backlash: i64, stops: Option<[i64; 2]>) -> Self {
         let stops = stops.unwrap_or([-NEVER, NEVER]);
-        let drive = Drive { step: 1, current: FULL_CURRENT as u8 };
-        Self { motor: 0, load: 0, backlash, stops, drive, load_permille: 0, odometer: 0, pushing: 0 }
+        Self { motor: 0, load: 0, backlash, stops, drive: UNTOLD, load_permille: 0, odometer: 0, pushing: 0 }
     }
 
     /// The controller was switched off and on: it counts from 0 again, the shaft stays where it is.
     pub fn power_up(&mut self) {
         self.odometer = 0;
         self.pushing = 0;
-        self.drive = Drive { step: 1, current: FULL_CURRENT as u8 };
+        self.drive = UNTOLD;
     }
 
     pub fn position(&self, side: Side) -> i64 {
@@ -99,11 +109,10 @@ impl Shaft {
         self.load = self.load.clamp(self.motor, self.motor.saturating_add(self.backlash));
     }
 
-    /// The odometer window in which nothing changes that happens at the positions `below` and `above` of
-    /// one side, which lie below and above its present one.
+    /// The odometer window in which it arrives at none of these edges.
     ///
     /// What a pulse does changes at a stop, so a window ends there too.
-    pub fn window(&self, edges: &[(Side, i64, i64)]) -> (i64, i64) {
+    pub fn window(&self, edges: &[Edge]) -> (i64, i64) {
         let step = i64::from(self.drive.step);
         if !self.follows() || step == 0 {
             return (-NEVER, NEVER);
@@ -112,11 +121,11 @@ impl Shaft {
         // The next stop, or the very next pulse off the one it leans on or into it.
         let mut low = (stop_below - self.backlash).min(self.motor - 1);
         let mut high = stop_above.max(self.motor + 1);
-        for (side, below, above) in edges {
+        for edge in edges {
             // The driven side arrives below when the motor has gone through the play.
-            let play = if *side == Side::Load { self.backlash } else { 0 };
-            low = low.max(below - play);
-            high = high.min(*above);
+            let play = if edge.side == Side::Load { self.backlash } else { 0 };
+            low = low.max(edge.below - play);
+            high = high.min(edge.above);
         }
         let down = pulses(self.motor - low, step.abs());
         let up = pulses(high - self.motor, step.abs());
@@ -154,9 +163,13 @@ mod tests {
         assert_eq!(shaft.odometer(), moves.iter().map(|(pulses, ..)| pulses).sum::<i64>());
     }
 
+    fn edge(side: Side, below: i64, above: i64) -> Edge {
+        Edge { side, below, above }
+    }
+
     fn with_drive(step: i16, current: u8) -> Shaft {
         let mut shaft = Shaft::new(0, None);
-        shaft.set_drive(Drive { step, current });
+        shaft.set_drive(Drive { step, parts: 1, current });
         shaft
     }
 
@@ -199,13 +212,13 @@ mod tests {
     fn windows_end_where_something_changes() {
         let mut shaft = Shaft::new(10, Some([-1000, 2000]));
         assert_eq!(shaft.window(&[]), (-1010, 2000));
-        assert_eq!(shaft.window(&[(Side::Load, -50, 31), (Side::Motor, -55, 40)]), (-55, 31));
-        shaft.set_drive(Drive { step: 16, current: 32 });
-        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-3, 2));
-        shaft.set_drive(Drive { step: -16, current: 32 });
-        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-2, 3));
-        shaft.set_drive(Drive { step: 16, current: 0 });
-        assert_eq!(shaft.window(&[(Side::Motor, -33, 32)]), (-NEVER, NEVER));
+        assert_eq!(shaft.window(&[edge(Side::Load, -50, 31), edge(Side::Motor, -55, 40)]), (-55, 31));
+        shaft.set_drive(Drive { step: 16, parts: 1, current: 32 });
+        assert_eq!(shaft.window(&[edge(Side::Motor, -33, 32)]), (-3, 2));
+        shaft.set_drive(Drive { step: -16, parts: 1, current: 32 });
+        assert_eq!(shaft.window(&[edge(Side::Motor, -33, 32)]), (-2, 3));
+        shaft.set_drive(Drive { step: 16, parts: 1, current: 0 });
+        assert_eq!(shaft.window(&[edge(Side::Motor, -33, 32)]), (-NEVER, NEVER));
     }
 
     #[test]

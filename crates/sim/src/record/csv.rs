@@ -9,7 +9,7 @@
 //! | `speed` | `sample` | pulses a second |
 //! | `target`, `status` | `sample` | as the device defines them |
 //! | `pin` | `pin` | name of the pin |
-//! | `value` | `pin`, `drive`, `pulse` | level or number; coil current of 32; pulses from the start |
+//! | `value` | `pin`, `drive`, `pulse` | level, or number in the pin's unit; coil current of 32; pulses from the start |
 //!
 //! A plotting program that takes the rows with `event` = `sample` has equally spaced series. Rows stand
 //! in order of time, except that `pulse` rows come when their train is over.
@@ -94,7 +94,9 @@ impl<W: Write> Recorder for CsvRecorder<W> {
 
     fn pin(&mut self, at: Ticks, pin: usize, level: i32) {
         let seconds = decimal_seconds(at, self.info.clock_hz);
-        self.put(&[&seconds, "pin", "", "", "", "", "", "", self.info.pins[pin].name, &level.to_string()]);
+        let pin = &self.info.pins[pin];
+        let value = f64::from(level) / f64::from(pin.scale);
+        self.put(&[&seconds, "pin", "", "", "", "", "", "", pin.name, &value.to_string()]);
     }
 
     fn mark(&mut self, at: Ticks, axis: usize, mark: Mark) {

@@ -86,7 +86,7 @@ pub trait Recorder {
     /// The driver stage of an axis changed.
     fn drive(&mut self, at: Ticks, axis: usize, drive: Drive);
 
-    /// A pin has this level from now on: 0 or 1, or the number of an analog one.
+    /// A pin has this level from now on: 0 or 1, or the board's integer of an analog one.
     fn pin(&mut self, at: Ticks, pin: usize, level: i32);
 
     /// An axis started or stopped.

@@ -1,0 +1,185 @@
+use super::*;
+use crate::testing::MODELS;
+
+fn parse(text: &str) -> Result<Bench, String> {
+    file::parse(text, "bench.toml", MODELS).map_err(|error| error.to_string())
+}
+
+#[track_caller]
+fn check(text: &str, expected: &str) {
+    assert_eq!(parse(text).expect_err("it should be refused"), expected);
+}
+
+/// The entries of axis 0 of a device, from line 3 on.
+#[track_caller]
+fn check_axis(entries: &str, expected: &str) {
+    check(&format!("[[device]]\nmodel = \"test\"\n[device.axis.0]\n{entries}"), expected);
+}
+
+#[test]
+fn everything_can_be_said() {
+    let text = r#"
+        [[device]]
+        model = "test"
+        name = "stage"
+        listen = ["tcp:127.0.0.1:4002", "pty:/run/stage"]
+        supply = 36
+        temperature = 41.5
+        seed = 7
+        [device.axis.0]
+        negative_limit = -20000
+        positive_limit = 1000000
+        home = [-200, 0]
+        index_every = 4000
+        encoder_ratio = 1
+        backlash = 3
+        load = 0.25
+        hard_stops = [-21000, 1001000]
+
+        [[device]]
+        model = "test"
+    "#;
+    let bench = parse(text).unwrap();
+    let axis = AxisConfig {
+        negative_limit: -20_000,
+        positive_limit: 1_000_000,
+        home: [-200, 0],
+        index_every: 4000,
+        encoder_ratio: 1.0,
+        backlash: 3,
+        load: 0.25,
+        hard_stops: Some([-21_000, 1_001_000]),
+    };
+    let first = DeviceConfig {
+        name: "stage".into(),
+        listen: vec!["tcp:127.0.0.1:4002".parse().unwrap(), "pty:/run/stage".parse().unwrap()],
+        axes: BTreeMap::from([("0".into(), axis)]),
+        supply_v: 36.0,
+        temperature_c: 41.5,
+        seed: Some(7),
+        ..DeviceConfig::new(&MODELS[0])
+    };
+    assert_eq!(bench.devices, [first, DeviceConfig::new(&MODELS[0])]);
+}
+
+#[test]
+fn defaults_belong_to_the_model() {
+    assert_eq!(AxisConfig::of_model("test").negative_limit, -1_000_000);
+    assert_eq!(AxisConfig::of_model("pd42-1140").positive_limit, 10_000_000);
+    assert_eq!(DeviceConfig::new(&MODELS[0]).axis("0"), AxisConfig::of_model("test"));
+}
+
+#[test]
+fn text_that_is_not_toml() {
+    check("[[device]\n", "bench.toml:1: unclosed array table, expected `]`");
+    check("\n\nmodel = test\n", "bench.toml:3: string values must be quoted, expected literal string");
+}
+
+#[test]
+fn keys_that_do_not_exist() {
+    check(
+        "[[device]]\nmodel = \"test\"\ncolour = 3\n",
+        "bench.toml:3: device.colour: unknown field `colour`, expected one of \
+         `model`, `name`, `listen`, `supply`, `temperature`, `seed`, `axis`",
+    );
+    check_axis(
+        "home = [0, 1]\nbacklsh = 3\n",
+        "bench.toml:5: device.axis.0.backlsh: unknown field `backlsh`, expected one of \
+         `negative_limit`, `positive_limit`, `home`, `index_every`, `encoder_ratio`, `backlash`, `load`, `hard_stops`",
+    );
+    check("devices = 1\n", "bench.toml:1: devices: unknown field `devices`, expected `device`");
+    check("", "bench.toml:1: bench file: missing field `device`");
+    check("[[device]]\nname = \"a\"\n", "bench.toml:1: device: missing field `model`");
+}
+
+#[test]
+fn values_of_another_type() {
+    check(
+        "[[device]]\nmodel = 3\n",
+        "bench.toml:2: device.model: invalid type: integer `3`, expected a string",
+    );
+    check_axis(
+        "home = [1]\n",
+        "bench.toml:4: device.axis.0.home: invalid length 1, expected an array of length 2",
+    );
+    check_axis(
+        "load = \"a\"\n",
+        "bench.toml:4: device.axis.0.load: invalid type: string \"a\", expected f64",
+    );
+    check_axis(
+        "backlash = 0.5\n",
+        "bench.toml:4: device.axis.0.backlash: invalid type: floating point `0.5`, expected i64",
+    );
+    check("device = 3\n", "bench.toml:1: device: invalid type: integer `3`, expected a sequence");
+}
+
+#[test]
+fn devices_that_cannot_be() {
+    check("[[device]]\nmodel = \"pd99\"\n", "bench.toml:2: device.model: unknown model `pd99`, known: test");
+    let two = "[[device]]\nmodel = \"test\"\n[[device]]\nmodel = \"test\"\nname = \"test\"\n";
+    check(two, "bench.toml:5: device.name: there is already a device named `test`");
+    let name = "[[device]]\nmodel = \"test\"\nname = \"../a\"\n";
+    check(name, "bench.toml:3: device.name: `../a` is not a name: letters, digits, `.`, `_`, `-`");
+    let listen = "[[device]]\nmodel = \"test\"\nlisten = [\"udp:a\"]\n";
+    let kinds = "write tcp:HOST:PORT, pty:PATH or slcan-tcp:HOST:PORT";
+    check(listen, &format!("bench.toml:3: device.listen: `udp:a` is not an endpoint: {kinds}"));
+    let twice = "[[device]]\nmodel = \"test\"\nlisten = [\"tcp:h:1\", \"tcp:h:1\"]\n";
+    check(twice, "bench.toml:3: device.listen: `tcp:h:1` is there twice");
+    let supply = "[[device]]\nmodel = \"test\"\nsupply = nan\n";
+    check(supply, "bench.toml:3: device.supply: NaN V is outside 0 to 1000 V");
+    let cold = "[[device]]\nmodel = \"test\"\ntemperature = -300\n";
+    check(cold, "bench.toml:3: device.temperature: -300 °C is outside -273 to 1000 °C");
+    let axis = "[[device]]\nmodel = \"test\"\n\n[device.axis.X]\nload = 0\n";
+    check(axis, "bench.toml:4: device.axis.X: unknown axis `X`, test has: 0");
+}
+
+#[test]
+fn machines_that_cannot_be() {
+    check_axis(
+        "negative_limit = 5\npositive_limit = 5\n",
+        "bench.toml:5: device.axis.0.positive_limit: the negative limit 5 must lie below the positive limit 5",
+    );
+    check_axis(
+        "negative_limit = 2000000\n",
+        "bench.toml:4: device.axis.0.negative_limit: \
+         the negative limit 2000000 must lie below the positive limit 1000000",
+    );
+    check_axis("home = [1, 0]\n", "bench.toml:4: device.axis.0.home: 1 must not lie above 0");
+    let far =
+        "bench.toml:4: device.axis.0.home: 9000000000000 is outside -1099511627776 to 1099511627776 pulses";
+    check_axis("home = [1, 9000000000000]\n", far);
+    let every = "bench.toml:4: device.axis.0.index_every: 0 is outside 1 to 1099511627776 pulses";
+    check_axis("index_every = 0\n", every);
+    let backlash = "bench.toml:4: device.axis.0.backlash: -1 is outside 0 to 1099511627776 pulses";
+    check_axis("backlash = -1\n", backlash);
+    let ratio = "bench.toml:4: device.axis.0.encoder_ratio: 0 is outside 0.000001 to 1000000 counts a pulse";
+    check_axis("encoder_ratio = 0.0\n", ratio);
+    check_axis("load = -0.5\n", "bench.toml:4: device.axis.0.load: -0.5 is outside 0 to 1000");
+    let stops =
+        "bench.toml:4: device.axis.0.hard_stops: 0, where the axis starts, must lie between the stops";
+    check_axis("hard_stops = [1, 5]\n", stops);
+}
+
+#[test]
+fn a_file_that_is_not_there() {
+    let error = Bench::read(Path::new("/nowhere/bench.toml")).unwrap_err().to_string();
+    assert!(error.starts_with("/nowhere/bench.toml: ") && !error.contains('\n'), "{error}");
+}
+
+#[test]
+fn the_same_endpoint_is_a_bus() {
+    let device = |name: &str, listen: &[&str]| DeviceConfig {
+        name: name.into(),
+        listen: listen.iter().map(|text| text.parse().unwrap()).collect(),
+        ..DeviceConfig::new(&MODELS[0])
+    };
+    let devices = [
+        device("a", &["tcp:h:0", "tcp:h:1"]),
+        device("b", &["tcp:h:1"]),
+        device("c", &["tcp:h:0", "pty:/p"]),
+    ];
+    let buses: Vec<_> =
+        buses(&devices).into_iter().map(|bus| (bus.endpoint.to_string(), bus.members)).collect();
+    let expected = [("tcp:h:0", vec![0]), ("tcp:h:1", vec![0, 1]), ("tcp:h:0", vec![2]), ("pty:/p", vec![2])];
+    assert_eq!(buses, expected.map(|(endpoint, members)| (endpoint.to_string(), members)));
+}

@@ -1,0 +1,440 @@
+//! A device as a whole, with the controller of [`testing`](crate::testing).
+
+use super::*;
+use crate::{
+    config::AxisConfig,
+    record::Recorder,
+    testing::{CLOCK_HZ, HOME, INDEX, INTERVAL, MODELS, Order, STOP_L, STOP_R, SUPPLY, report},
+};
+use devices::Drive;
+use motion::Train;
+use proptest::prelude::*;
+use std::sync::{Arc, Mutex};
+
+/// Everything that a recorder is told.
+#[derive(Clone, Default)]
+struct Log(Arc<Mutex<Vec<Event>>>);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Event {
+    Train(Train),
+    Drive(Ticks, Drive),
+    Pin(Ticks, usize, i32),
+    Mark(Ticks, Mark),
+    Finish(Ticks),
+}
+
+impl Log {
+    fn put(&self, event: Event) {
+        self.0.lock().unwrap().push(event);
+    }
+
+    fn trains(&self) -> Vec<Train> {
+        let events = self.0.lock().unwrap();
+        events
+            .iter()
+            .filter_map(|event| if let Event::Train(train) = event { Some(*train) } else { None })
+            .collect()
+    }
+
+    fn marks(&self) -> Vec<(Ticks, Mark)> {
+        let events = self.0.lock().unwrap();
+        let mark = |event: &Event| if let Event::Mark(at, mark) = event { Some((*at, *mark)) } else { None };
+        events.iter().filter_map(mark).collect()
+    }
+}
+
+impl Recorder for Log {
+    fn train(&mut self, _axis: usize, train: &Train) {
+        self.put(Event::Train(*train));
+    }
+
+    fn drive(&mut self, at: Ticks, _axis: usize, drive: Drive) {
+        self.put(Event::Drive(at, drive));
+    }
+
+    fn pin(&mut self, at: Ticks, pin: usize, level: i32) {
+        self.put(Event::Pin(at, pin, level));
+    }
+
+    fn mark(&mut self, at: Ticks, _axis: usize, mark: Mark) {
+        self.put(Event::Mark(at, mark));
+    }
+
+    fn sample(&mut self, _at: Ticks, _axis: usize, _state: &AxisState) {}
+
+    fn finish(&mut self, at: Ticks) -> Result<(), RecordError> {
+        self.put(Event::Finish(at));
+        Ok(())
+    }
+}
+
+fn small() -> AxisConfig {
+    AxisConfig {
+        negative_limit: -1000,
+        positive_limit: 1000,
+        home: [-200, -100],
+        index_every: 400,
+        ..AxisConfig::of_model("test")
+    }
+}
+
+fn device(axis: AxisConfig) -> VirtualDevice {
+    let mut config = DeviceConfig::new(&MODELS[0]);
+    config.axes.insert("0".into(), axis);
+    let mut device = VirtualDevice::new(&config, 1);
+    device.drain_sent().for_each(drop);
+    device
+}
+
+fn order(device: &mut VirtualDevice, order: Order) {
+    device.receive(Port::Usb, &order.bytes());
+}
+
+/// Moves to a place and gives the reports on the way.
+fn go(device: &mut VirtualDevice, target: i64) -> Vec<(usize, bool, i64)> {
+    order(device, Order::Move(target));
+    while device.controller.wake() != Ticks::MAX {
+        device.advance(device.wake());
+    }
+    device.drain_sent().map(|sent| report(&sent.bytes)).collect()
+}
+
+#[test]
+fn inputs_change_at_exactly_the_pulse() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << STOP_L | 1 << STOP_R | 1 << HOME));
+    // STOP_R rests at 1 and its switch pulls it to 0. The index is not watched: where it is seen does
+    // not count here.
+    let mut check = |target, expected: &[(usize, bool, i64)]| {
+        let mut reports = go(&mut device, target);
+        reports.retain(|(pin, ..)| *pin != INDEX);
+        assert_eq!(reports, expected);
+    };
+    check(1200, &[(STOP_R, false, 1000)]);
+    check(-50, &[(STOP_R, true, 999)]);
+    check(-1500, &[(HOME, true, -100), (HOME, false, -201), (STOP_L, true, -1000)]);
+    check(0, &[(STOP_L, false, -999), (HOME, true, -200), (HOME, false, -99)]);
+}
+
+#[test]
+fn watched_marks_are_seen_one_by_one() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << INDEX));
+    let expected =
+        [(INDEX, false, 1), (INDEX, true, 400), (INDEX, false, 401), (INDEX, true, 800), (INDEX, false, 801)];
+    assert_eq!(go(&mut device, 900), expected);
+    assert_eq!(go(&mut device, 700), [(INDEX, true, 800), (INDEX, false, 799)]);
+}
+
+#[test]
+fn full_steps_do_not_jump_over_marks() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << INDEX));
+    order(&mut device, Order::Drive(256, 32));
+    // 400 lies between the pulses at 256 and 512, 1600 between 1536 and 1792.
+    let reports = go(&mut device, 7);
+    let seen: Vec<_> =
+        reports.iter().filter(|(pin, ..)| *pin == INDEX).map(|(_, on, odometer)| (*on, *odometer)).collect();
+    let marks = [2, 4, 5, 7].into_iter().flat_map(|pulse| [(true, pulse), (false, pulse)]);
+    assert_eq!(seen, [(false, 1)].into_iter().chain(marks).collect::<Vec<_>>());
+}
+
+#[test]
+fn a_cruise_between_inputs_is_one_train() {
+    let mut device = device(AxisConfig { positive_limit: 5_000_000, ..small() });
+    order(&mut device, Order::Watch(1 << STOP_R));
+    let log = Log::default();
+    device.add_recorder(Box::new(log.clone()));
+    go(&mut device, 6_000_000);
+    let counts: Vec<_> = log.trains().iter().map(|train| train.count).collect();
+    assert_eq!(counts, [5_000_000, 1_000_000]);
+    let marks = [(100, Mark::Started), (6_000_000 * INTERVAL, Mark::TargetReached)];
+    // The first event after the start is the limit switch.
+    assert_eq!(log.marks(), [(5_000_000 * INTERVAL, marks[0].1), marks[1]]);
+}
+
+#[test]
+fn backlash_moves_the_switches_on_the_way_down() {
+    let mut device = device(AxisConfig { backlash: 30, ..small() });
+    order(&mut device, Order::Watch(1 << STOP_R));
+    assert!(go(&mut device, 1100).contains(&(STOP_R, false, 1000)));
+    let reports = go(&mut device, 900);
+    assert!(reports.contains(&(STOP_R, true, 999 - 30)), "{reports:?}");
+    assert_eq!(device.shaft("0"), Ok(930));
+}
+
+#[test]
+fn a_stalled_shaft_loses_pulses() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << STOP_R));
+    go(&mut device, 100);
+    device.set_load("0", 1.01).unwrap();
+    go(&mut device, 300);
+    assert_eq!(device.shaft("0"), Ok(100));
+    device.set_load("0", 0.5).unwrap();
+    assert!(go(&mut device, 1250).contains(&(STOP_R, false, 1200)));
+    assert_eq!((device.axis(0).position, device.axis(0).encoder), (1250, 1050));
+}
+
+#[test]
+fn pushing_turns_the_shaft_under_the_controller() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << STOP_R));
+    order(&mut device, Order::Drive(1, 0));
+    device.push("0", 990).unwrap();
+    order(&mut device, Order::Drive(1, 32));
+    assert_eq!((device.axis(0).position, device.axis(0).encoder), (0, 990));
+    assert!(go(&mut device, 20).contains(&(STOP_R, false, 10)));
+    assert_eq!(device.push("1", 1).unwrap_err().to_string(), "there is no axis `1`, the device has: 0");
+    assert_eq!(device.push("0", i64::MIN), Err(AxisError::Range));
+    assert_eq!(device.set_load("0", f64::NAN), Err(AxisError::Range));
+}
+
+#[test]
+fn a_hand_overrides_the_machine() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << STOP_L | 1 << HOME));
+    device.drive_pin("HOME", PinValue::Level(true)).unwrap();
+    assert_eq!(device.drain_sent().map(|sent| report(&sent.bytes)).collect::<Vec<_>>(), [(HOME, true, 0)]);
+    // The shaft passes the real switch, and nobody sees it.
+    let reports = go(&mut device, -150);
+    assert!(!reports.iter().any(|(pin, ..)| *pin == HOME), "{reports:?}");
+    device.drive_pin("HOME", PinValue::Level(false)).unwrap();
+    device.release_pin("HOME").unwrap();
+    let reports: Vec<_> = device.drain_sent().map(|sent| report(&sent.bytes)).collect();
+    assert_eq!(reports, [(HOME, false, -150), (HOME, true, -150)]);
+}
+
+#[test]
+fn pins_take_what_fits_them() {
+    let mut device = device(small());
+    let mut check = |pin: &str, value, expected: Result<(), &str>| {
+        let got = device.drive_pin(pin, value).map_err(|error| error.to_string());
+        assert_eq!(got, expected.map_err(str::to_string));
+    };
+    check("STOP_L", PinValue::Level(true), Ok(()));
+    check("STOP_L", PinValue::Number(1.0), Err("`STOP_L` is digital: true or false"));
+    check("SUPPLY", PinValue::Level(true), Err("`SUPPLY` is analog: a number in V"));
+    check("SUPPLY", PinValue::Number(8.46), Ok(()));
+    check("SUPPLY", PinValue::Number(1e12), Err("`SUPPLY` cannot have this value"));
+    check("SUPPLY", PinValue::Number(f64::NAN), Err("`SUPPLY` cannot have this value"));
+    check("OUT", PinValue::Level(true), Err("`OUT` is an output, only the controller drives it"));
+    let known = "the device has: STOP_L, STOP_R, HOME, INDEX, SUPPLY, OUT";
+    check("DI1", PinValue::Level(true), Err(&format!("there is no pin `DI1`, {known}")));
+    let reports: Vec<_> = device.drain_sent().map(|sent| report(&sent.bytes)).collect();
+    assert_eq!(reports, [(STOP_L, true, 0), (SUPPLY, true, 85)]);
+    assert_eq!(device.read_pin("SUPPLY"), Ok(PinValue::Number(8.5)));
+    assert_eq!(device.read_pin("STOP_R"), Ok(PinValue::Level(true)));
+    assert_eq!(device.read_pin("OUT"), Ok(PinValue::Level(false)));
+}
+
+#[test]
+fn planned_inputs_come_at_their_clock() {
+    let mut device = device(small());
+    let input = |pin: &str, value| Input { pin: pin.into(), value };
+    device.schedule(700, &input("HOME", Some(PinValue::Number(1.0)))).unwrap();
+    device.schedule(900, &input("HOME", None)).unwrap();
+    assert_eq!(device.schedule(0, &input("OUT", None)), Err(PinError::Output("OUT".into())));
+    assert!(device.schedule(0, &input("HOME", Some(PinValue::Number(2.0)))).is_err());
+    device.advance(10_000);
+    let times: Vec<_> = device.drain_sent().map(|sent| (sent.at, report(&sent.bytes).1)).collect();
+    assert_eq!(times, [(700, true), (900, false)]);
+    assert_eq!(device.now(), 10_000);
+}
+
+#[test]
+fn the_supply_of_the_bench_is_told_at_the_start() {
+    let mut config = DeviceConfig::new(&MODELS[0]);
+    config.supply_v = 12.0;
+    let mut device = VirtualDevice::new(&config, 1);
+    let reports: Vec<_> = device.drain_sent().map(|sent| report(&sent.bytes)).collect();
+    assert!(reports.contains(&(SUPPLY, true, 120)), "{reports:?}");
+}
+
+#[test]
+fn a_power_cycle_keeps_time_shaft_and_flash() {
+    let mut device = device(small());
+    order(&mut device, Order::Out(true));
+    order(&mut device, Order::Write(0, 0x1234_5678));
+    go(&mut device, 150);
+    device.power_cycle();
+    assert_eq!(device.now(), 150 * INTERVAL);
+    assert_eq!(device.read_pin("OUT"), Ok(PinValue::Level(false)));
+    assert_eq!((device.axis(0).position, device.axis(0).encoder, device.shaft("0")), (0, 0, Ok(150)));
+    assert_eq!(device.flash().to_bytes()[..4], 0x1234_5678_u32.to_le_bytes());
+    // Switches stand where they stood.
+    device.drain_sent().for_each(drop);
+    order(&mut device, Order::Watch(1 << STOP_R));
+    let log = Log::default();
+    device.add_recorder(Box::new(log.clone()));
+    assert!(go(&mut device, 900).contains(&(STOP_R, false, 850)));
+    assert_eq!(log.trains()[0].start.ticks, 150 * INTERVAL);
+}
+
+#[test]
+fn a_power_cut_loses_what_flash_had_not_finished() {
+    let written = |wait| {
+        let mut device = device(small());
+        order(&mut device, Order::Write(0, 0));
+        order(&mut device, Order::Write(4, 0));
+        device.advance(wait);
+        device.power_cut();
+        let bytes = device.flash().to_bytes();
+        [bytes[0], bytes[4]]
+    };
+    // A word takes 50 us, and a clock of this device 1 us.
+    assert_eq!(written(0), [0xFF, 0xFF]);
+    assert_eq!(written(49), [0xFF, 0xFF]);
+    assert_eq!(written(50), [0, 0xFF]);
+    assert_eq!(written(100), [0, 0]);
+}
+
+#[test]
+fn the_state_is_what_people_ask_for() {
+    let mut device = device(small());
+    go(&mut device, 150);
+    let state = serde_json::to_value(device.state()).unwrap();
+    let axis = serde_json::json!({
+        "position": 150, "encoder": 150, "speed": 0.0, "target": 150, "status": 0, "steps": 150
+    });
+    let expected = serde_json::json!({ "axes": { "0": axis }, "programs": [], "device_seconds": 0.015 });
+    assert_eq!(state, expected);
+}
+
+/// One call of a user.
+#[derive(Clone, Debug)]
+enum Call {
+    Go(i64),
+    Advance(Ticks),
+    Drive(i16, u8),
+    Load(f64),
+    Push(i64),
+    Watch(u8),
+    Pin(&'static str, bool),
+    Release(&'static str),
+    PowerCycle,
+}
+
+fn call() -> impl Strategy<Value = Call> {
+    let digital = || prop::sample::select(vec!["STOP_L", "STOP_R", "HOME", "INDEX"]);
+    prop_oneof![
+        4 => (-3000_i64..3000).prop_map(Call::Go),
+        4 => (0_u64..200_000).prop_map(Call::Advance),
+        1 => (-256_i16..=256, 0_u8..=32).prop_map(|(step, current)| Call::Drive(step, current)),
+        1 => (0.0..1.2).prop_map(Call::Load),
+        1 => (-500_i64..500).prop_map(Call::Push),
+        1 => any::<u8>().prop_map(Call::Watch),
+        1 => (digital(), any::<bool>()).prop_map(|(pin, on)| Call::Pin(pin, on)),
+        1 => digital().prop_map(Call::Release),
+        1 => Just(Call::PowerCycle),
+    ]
+}
+
+fn make(device: &mut VirtualDevice, call: &Call) {
+    match *call {
+        Call::Go(target) => order(device, Order::Move(target)),
+        Call::Advance(span) => device.advance(device.now() + span),
+        Call::Drive(step, current) => order(device, Order::Drive(step, current)),
+        Call::Load(load) => device.set_load("0", load).unwrap(),
+        Call::Push(distance) => device.push("0", distance).unwrap(),
+        Call::Watch(pins) => order(device, Order::Watch(pins)),
+        Call::Pin(pin, on) => device.drive_pin(pin, PinValue::Level(on)).unwrap(),
+        Call::Release(pin) => device.release_pin(pin).unwrap(),
+        Call::PowerCycle => device.power_cycle(),
+    }
+}
+
+/// The log and the messages of a session.
+fn session(calls: &[Call]) -> (Vec<Event>, Vec<Sent>, Vec<i32>) {
+    let mut device = device(AxisConfig { backlash: 7, hard_stops: Some([-2000, 1500]), ..small() });
+    let log = Log::default();
+    device.add_recorder(Box::new(log.clone()));
+    let mut sent = Vec::new();
+    for call in calls {
+        make(&mut device, call);
+        sent.extend(device.drain_sent());
+    }
+    let levels = (0..device.pins().len()).map(|pin| device.world.level(pin)).collect();
+    device.finish_recordings().unwrap();
+    let events = log.0.lock().unwrap().clone();
+    (events, sent, levels)
+}
+
+proptest! {
+    #[test]
+    fn the_same_calls_give_the_same_events(calls in prop::collection::vec(call(), 1..40)) {
+        prop_assert_eq!(session(&calls), session(&calls));
+    }
+
+    /// Whoever advances in small steps sees the same edges as whoever waits.
+    #[test]
+    fn edges_do_not_depend_on_the_pace(target in -3000_i64..3000, pace in 1_u64..5000) {
+        let edges = |pace: u64| {
+            let mut device = device(small());
+            let log = Log::default();
+            device.add_recorder(Box::new(log.clone()));
+            order(&mut device, Order::Move(target));
+            let end = 3001 * INTERVAL;
+            while device.now() < end {
+                device.advance((device.now() + pace).min(end));
+            }
+            let edges: Vec<_> = log.trains().iter().flat_map(Train::edges).collect();
+            let reports: Vec<_> = device.drain_sent().filter(|sent| sent.bytes[0] != INDEX as u8).collect();
+            (edges, reports)
+        };
+        prop_assert_eq!(edges(pace), edges(u64::MAX / 2));
+    }
+
+    /// The shaft is the sum of its trains, each with the step of its time.
+    #[test]
+    fn the_shaft_is_the_sum_of_the_trains(calls in prop::collection::vec(call(), 1..40)) {
+        let mut device = device(small());
+        let log = Log::default();
+        device.add_recorder(Box::new(log.clone()));
+        let (mut pushed, mut seen, mut expected, mut step) = (0, 0, 0, 1);
+        for call in &calls {
+            let (before, follows) = match call {
+                // Stalls have a test of their own.
+                Call::Load(_) => continue,
+                Call::Push(distance) => { pushed += distance; (step, step != 0) }
+                _ => (step, step != 0),
+            };
+            make(&mut device, call);
+            let trains = log.trains();
+            for train in &trains[seen..] {
+                if follows {
+                    expected += before * train.direction.sign() * i64::from(train.count);
+                }
+            }
+            seen = trains.len();
+            match call {
+                Call::Drive(_, 0) => step = 0,
+                Call::Drive(next, _) => step = i64::from(*next),
+                Call::PowerCycle => step = 1,
+                _ => {}
+            }
+            prop_assert_eq!(device.shaft("0"), Ok(expected + pushed));
+        }
+    }
+
+    /// What the controller was told last is what is on its pins.
+    #[test]
+    fn the_controller_knows_its_inputs(calls in prop::collection::vec(call(), 1..40)) {
+        let (_, sent, levels) = session(&calls);
+        for pin in [STOP_L, STOP_R, HOME, INDEX] {
+            // A power cycle tells it all over again what is not at rest.
+            let last = sent.iter().rev().map(|sent| report(&sent.bytes)).find(|report| report.0 == pin);
+            if let Some((_, on, _)) = last && !calls.iter().any(|call| matches!(call, Call::PowerCycle)) {
+                prop_assert_eq!(i32::from(on), levels[pin], "pin {}", pin);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_second_is_a_second() {
+    let mut device = device(small());
+    device.advance(device.ticks(1.5));
+    assert_eq!((device.now(), device.seconds()), (u64::from(CLOCK_HZ) * 3 / 2, 1.5));
+}
