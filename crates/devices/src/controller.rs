@@ -44,6 +44,19 @@ pub enum ProgramRun {
     Error,
 }
 
+/// A program command that could not be executed and was passed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Notice {
+    /// When.
+    pub at: Ticks,
+    /// Its line or address.
+    pub counter: u32,
+    /// Its number.
+    pub opcode: u8,
+    /// What a host would have been told.
+    pub status: u8,
+}
+
 /// What kind of pin it is, seen from the controller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum PinKind {
@@ -145,4 +158,9 @@ pub trait Controller {
 
     /// What a program is doing; `None` past the last.
     fn program(&self, index: usize) -> Option<ProgramState>;
+
+    /// The next command that a program passed over, for host tools; only the first few are kept.
+    fn take_notice(&mut self) -> Option<Notice> {
+        None
+    }
 }

@@ -10,9 +10,11 @@ pub mod controller;
 pub mod flash;
 #[cfg(feature = "std")]
 pub mod models;
+pub mod parameter;
+pub mod pd42;
 pub mod settings;
 
 pub use board::{Board, Drive, Port};
-pub use controller::{AxisState, Controller, Pin, PinKind, ProgramRun, ProgramState, Wiring};
+pub use controller::{AxisState, Controller, Notice, Pin, PinKind, ProgramRun, ProgramState, Wiring};
 #[cfg(feature = "std")]
 pub use models::{MODELS, Model, model};

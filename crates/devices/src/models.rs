@@ -2,7 +2,7 @@
 
 extern crate alloc;
 
-use crate::{Controller, flash::Flash};
+use crate::{Controller, flash::Flash, pd42};
 use alloc::boxed::Box;
 
 /// A kind of controller that can be built.
@@ -19,7 +19,12 @@ pub struct Model {
 }
 
 /// All models.
-pub static MODELS: &[Model] = &[];
+pub static MODELS: &[Model] = &[Model {
+    name: "pd42-1140",
+    title: "Trinamic PD42-1140, TMCL firmware V1.47",
+    flash_bytes: pd42::FLASH_BYTES,
+    build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
+}];
 
 /// The model of this name.
 pub fn model(name: &str) -> Option<&'static Model> {

@@ -90,6 +90,47 @@ impl Parameter {
     }
 }
 
+/// The values of a table's parameters.
+#[derive(Clone, Debug)]
+pub struct Values<const COUNT: usize> {
+    table: &'static [Parameter],
+    values: [i32; COUNT],
+}
+
+impl<const COUNT: usize> Values<COUNT> {
+    /// The defaults.
+    ///
+    /// # Panics
+    /// If the table has another length.
+    pub fn new(table: &'static [Parameter]) -> Self {
+        assert_eq!(table.len(), COUNT, "values for each entry");
+        Self { table, values: core::array::from_fn(|place| table[place].default) }
+    }
+
+    /// A value.
+    ///
+    /// # Panics
+    /// If the table has no such number.
+    pub fn get(&self, number: u8) -> i32 {
+        self.values[self.place(number)]
+    }
+
+    /// Sets a value, whether it is in range or not.
+    ///
+    /// # Panics
+    /// If the table has no such number.
+    pub fn set(&mut self, number: u8, value: i32) {
+        self.values[self.place(number)] = value;
+    }
+
+    fn place(&self, number: u8) -> usize {
+        match Parameter::find(self.table, number) {
+            Some((place, _)) => place,
+            None => panic!("no parameter has this number"),
+        }
+    }
+}
+
 /// A table of parameters and a constant for the number of each.
 ///
 /// ```text
@@ -99,6 +140,9 @@ macro_rules! parameters {
     ($(#[$doc:meta])* $table:ident { $($number:literal $constant:ident $symbol:ident, $name:literal
         [$low:expr, $high:expr] $access:ident = $default:literal $unit:literal $text:literal $test:ident;)* }) => {
         $(#[doc = $text] pub const $constant: u8 = $number;)*
+
+        /// How many entries the table has.
+        pub const COUNT: usize = [$($number as u8),*].len();
 
         $(#[$doc])*
         pub static $table: &[$crate::parameter::Parameter] = &[$($crate::parameter::Parameter {

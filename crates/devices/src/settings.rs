@@ -103,6 +103,11 @@ impl<F: Flash> Settings<F> {
         Ok(settings)
     }
 
+    /// Gives the flash back.
+    pub fn close(self) -> F {
+        self.storage.destroy().0.0
+    }
+
     /// Stores a record. When this returns, the new value is what the next start finds; if it fails, the
     /// next start finds the new value or the old one.
     ///

@@ -192,6 +192,11 @@ impl Axis {
         self.window = Window { low, high };
     }
 
+    /// Whether the odometer stands at an edge of the window, or beyond.
+    pub fn at_window(&self) -> bool {
+        self.odometer <= self.window.low || self.odometer >= self.window.high
+    }
+
     /// The clock at which the axis must be advanced: the end of its train, or the pulse with which it
     /// reaches its window's edge. `None` at rest.
     pub fn wake(&self) -> Option<Ticks> {
