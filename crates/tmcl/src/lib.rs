@@ -6,6 +6,7 @@
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod isa;
+pub mod line;
 pub mod vm;
 
 pub use isa::Command;
