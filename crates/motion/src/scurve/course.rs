@@ -1,0 +1,229 @@
+//! A motion of two curves with a cruise between them.
+
+use super::curve::{Curve, FINE_BITS, Fine, Way, divide};
+use crate::block::block_length;
+use crate::plan::{Kind, Limits, Now, Piece, Wish, longest_cruise};
+use crate::speed::{Speed, root, square};
+use crate::train::{FRACTION_BITS, SubTicks};
+
+/// No end in sight.
+const ENDLESS: Way = Way::MAX;
+
+/// A motion along S-curves, from the speed at which it was planned.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Course {
+    limits: Limits,
+    wish: Wish,
+    /// From the first speed to that of the cruise.
+    lead: Curve,
+    /// Whether the lead slows down.
+    falls: bool,
+    cruise: Speed,
+    /// From the speed of the cruise down to the stop speed.
+    tail: Curve,
+    /// Where the tail ends.
+    end: Way,
+    /// Where the next pulse is.
+    next: Way,
+    /// The place of the pulse before it.
+    here: Place,
+    /// What the last train was too short.
+    carry: i64,
+}
+
+/// A place on a course: how much of each part lies behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Place {
+    way: Way,
+    lead: Fine,
+    cruised: Way,
+    tail: Fine,
+    speed: Speed,
+}
+
+impl Course {
+    /// The course that fulfils a wish; `None` if the axis may stand still now. A target that is too near
+    /// for the present speed is passed: the course brakes.
+    pub(crate) fn new(limits: &Limits, bend: Speed, now: Now, wish: Wish) -> Option<Self> {
+        match wish {
+            Wish::To(pulses) => {
+                Self::toward(limits, bend, now, pulses).or_else(|| Self::brake(limits, bend, now))
+            }
+            Wish::Speed(speed) => {
+                let from = root(now.squared);
+                Some(Self::of(limits, bend, wish, now, [from, speed, speed], ENDLESS))
+            }
+            Wish::Brake => Self::brake(limits, bend, now),
+        }
+    }
+
+    fn toward(limits: &Limits, bend: Speed, now: Now, pulses: u64) -> Option<Self> {
+        let from = root(now.squared);
+        let end = (Way::from(pulses - 1) << FRACTION_BITS) + Way::from(now.rest);
+        let way = |low, high| Curve::new(limits.scale, limits.growth, bend, low, high).way();
+        if way(limits.stop, from) > end {
+            return None;
+        }
+        let fits = |cruise: Speed| way(from.min(cruise), from.max(cruise)) + way(limits.stop, cruise) <= end;
+        let cruise = if fits(limits.top) {
+            limits.top
+        } else if from > limits.top {
+            // No room to slow down twice.
+            from
+        } else {
+            highest(from, limits.top, fits)
+        };
+        Some(Self::of(limits, bend, Wish::To(pulses), now, [from, cruise, limits.stop.min(cruise)], end))
+    }
+
+    /// To standstill on the first pulse that is possible.
+    fn brake(limits: &Limits, bend: Speed, now: Now) -> Option<Self> {
+        let from = root(now.squared);
+        if from <= limits.stop {
+            return None;
+        }
+        let way = Curve::new(limits.scale, limits.growth, bend, limits.stop, from).way();
+        let rest = Way::from(now.rest);
+        let pulses = way.saturating_sub(rest).div_ceil(1 << FRACTION_BITS);
+        let end = rest + (pulses << FRACTION_BITS);
+        Some(Self::of(limits, bend, Wish::Brake, now, [from, from, limits.stop], end))
+    }
+
+    fn of(limits: &Limits, bend: Speed, wish: Wish, now: Now, speeds: [Speed; 3], end: Way) -> Self {
+        let [from, cruise, last] = speeds;
+        let curve = |low, high| Curve::new(limits.scale, limits.growth, bend, low, high);
+        let falls = cruise < from;
+        Self {
+            limits: *limits,
+            wish,
+            lead: if falls { curve(cruise, from) } else { curve(from, cruise) },
+            falls,
+            cruise,
+            tail: curve(last, cruise),
+            end,
+            next: Way::from(now.rest),
+            here: Place { way: 0, lead: 0, cruised: 0, tail: 0, speed: from },
+            carry: 0,
+        }
+    }
+
+    /// Whether the course is also that of this wish within these limits, so that it may go on.
+    pub(crate) fn serves(&self, limits: &Limits, bend: Speed, now: Now, wish: Wish) -> bool {
+        let own = Limits { top: limits.top, start: limits.start, ..self.limits };
+        own == *limits
+            && match (self.wish, wish) {
+                (Wish::Brake, Wish::Brake) => true,
+                (Wish::Brake, Wish::To(pulses)) => Self::toward(limits, bend, now, pulses).is_none(),
+                (Wish::Speed(own), Wish::Speed(other)) => own == other,
+                (Wish::To(_), Wish::To(pulses)) => {
+                    let slowing = self.next > self.end - self.tail.way();
+                    self.end == self.next + (Way::from(pulses - 1) << FRACTION_BITS)
+                        && (slowing || limits.top == self.limits.top)
+                }
+                _ => false,
+            }
+    }
+
+    /// Pulses were made.
+    pub(crate) fn pass(&mut self, pulses: u32) {
+        self.next = self.next.saturating_add(Way::from(pulses) << FRACTION_BITS);
+    }
+
+    /// The speed at one of the pulses to come; 1 is the next.
+    pub(crate) fn speed_at(&self, pulse: u32) -> Speed {
+        self.place(self.ahead(pulse)).speed
+    }
+
+    /// The last train should have taken this longer.
+    pub(crate) fn carry(&mut self, span: i64) {
+        self.carry = span;
+    }
+
+    /// The next piece; `None` at the end.
+    pub(crate) fn piece(&mut self, rest: u64) -> Option<Piece> {
+        if self.next > self.end {
+            return None;
+        }
+        let from = self.next - Way::from(rest);
+        let whole = rest == 1 << FRACTION_BITS;
+        let pulses_until = |way: Way| ((way - from) >> FRACTION_BITS).min(u32::MAX.into()) as u32;
+        let [climbed, slowing] = [self.lead.way(), self.end - self.tail.way()];
+        let count = if !whole {
+            1
+        } else if from < climbed {
+            pulses_until(climbed).min(self.longest(from, self.falls))
+        } else if from + (1 << FRACTION_BITS) <= slowing {
+            let count = pulses_until(slowing).min(longest_cruise(self.limits.scale, self.cruise));
+            return Some(Piece { count, end: square(self.cruise), kind: Kind::Cruise });
+        } else if from >= slowing {
+            pulses_until(self.end).min(self.longest(from, true))
+        } else {
+            1
+        };
+        let count = if count < 2 { 1 } else { 1 << count.ilog2() };
+        let start = self.place(from);
+        let end = self.place(self.ahead(count));
+        self.here = end;
+        let duration = self.between(&start, &end).saturating_add_signed(core::mem::take(&mut self.carry));
+        Some(Piece { count, end: square(end.speed), kind: Kind::Curve(duration.max(1)) })
+    }
+
+    /// The longest block from here.
+    fn longest(&self, from: Way, falls: bool) -> u32 {
+        let squared = square(self.place(from).speed);
+        let slow_end = if falls { squared - (squared >> 4) } else { squared };
+        block_length(slow_end, self.limits.growth).min(longest_cruise(self.limits.scale, root(slow_end)))
+    }
+
+    fn ahead(&self, pulse: u32) -> Way {
+        self.next.saturating_add(Way::from(pulse - 1) << FRACTION_BITS)
+    }
+
+    fn place(&self, way: Way) -> Place {
+        if way == self.here.way {
+            return self.here;
+        }
+        let [climbed, slowing] = [self.lead.way(), self.end - self.tail.way()];
+        let mut place = Place {
+            way,
+            lead: self.lead.time(),
+            cruised: way.clamp(climbed, slowing) - climbed,
+            tail: 0,
+            speed: self.cruise,
+        };
+        if way < climbed {
+            let point = self.lead.at(if self.falls { climbed - way } else { way });
+            place.lead = if self.falls { place.lead - point.time } else { point.time };
+            place.speed = point.speed;
+        } else if way > slowing {
+            let point = self.tail.at(self.end.saturating_sub(way));
+            place.tail = self.tail.time() - point.time;
+            place.speed = point.speed;
+        }
+        place
+    }
+
+    fn between(&self, from: &Place, to: &Place) -> SubTicks {
+        let curves = (to.lead - from.lead) + (to.tail - from.tail);
+        let cruised = (to.cruised - from.cruised) << self.limits.scale.bits();
+        (curves << (FRACTION_BITS - FINE_BITS)) + divide(cruised, self.cruise.into()) as u64
+    }
+}
+
+/// The greatest speed, but for 1/1024, that fits, between one that does and one that does not.
+fn highest(mut fits_at: Speed, mut too_fast: Speed, fits: impl Fn(Speed) -> bool) -> Speed {
+    while too_fast - fits_at > 1 + (fits_at >> 10) {
+        let middle = fits_at + (too_fast - fits_at) / 2;
+        if fits(middle) { fits_at = middle } else { too_fast = middle }
+    }
+    fits_at
+}
+
+/// The speed at which a motion over so many pulses may begin: the start speed, unless the axis could not
+/// stop from it in time.
+pub(crate) fn entry(limits: &Limits, bend: Speed, pulses: u64) -> Speed {
+    let start = limits.start.min(limits.top);
+    let end = Way::from(pulses) << FRACTION_BITS;
+    let fits = |speed| Curve::new(limits.scale, limits.growth, bend, limits.stop, speed).way() <= end;
+    if start <= limits.stop || fits(start) { start } else { highest(limits.stop, start, fits) }
+}
