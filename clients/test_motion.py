@@ -46,10 +46,9 @@ def test_move_by(module, motor):
 def test_a_move_with_its_own_speed(module, motor):
     module.move_to(0, 10000, velocity=800)
     assert motor.linear_ramp.max_velocity == 800
-    top = 0
-    while not motor.get_position_reached():
-        top = max(top, motor.actual_velocity)
-    assert 0 < top <= 800
+    speeds = []
+    until(lambda: speeds.append(motor.actual_velocity) or motor.get_position_reached(), what="the position")
+    assert 0 < max(speeds) <= 800
 
 
 def test_a_target_set_as_a_parameter_starts_the_move(motor):

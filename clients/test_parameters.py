@@ -132,7 +132,7 @@ def test_an_axis_parameter_is_stored_and_restored(module, motor):
 
 def test_an_axis_parameter_without_a_place_in_the_eeprom_is_not_stored(module):
     with pytest.raises(TMCLReplyStatusError) as refusal:
-        module.store_axis_parameter(AP.MaxCurrent, 0)
+        module.store_axis_parameter(AP.ReferenceSearchMode, 0)
     assert refusal.value.status_code == TMCLStatus.WRONG_TYPE
 
 

@@ -9,7 +9,7 @@ from server import pulsetrain
 from waiting import until
 
 PROGRAMS = pathlib.Path(__file__).parent / "programs"
-STOPPED, RUNNING = 0, 1
+STOPPED, RUNNING, RESET = 0, 1, 3
 APPLICATION_STATUS, PROGRAM_COUNTER = 128, 130
 
 
@@ -58,11 +58,10 @@ def test_a_program_moves_the_axis_and_tells_of_it(stopped, motor, tmp_path):
     commands = assemble("count", tmp_path)
     upload(stopped, commands)
     assert [read_back(stopped, address) for address in range(len(commands))] == commands
-    assert stopped.get_global_parameter(APPLICATION_STATUS, 0) == STOPPED
+    assert stopped.get_global_parameter(APPLICATION_STATUS, 0) == RESET
     stopped.send(TMCLCommand.RUN_APPLICATION, 0, 0, 0)
     seen = set()
-    while not variable(stopped, 1):
-        seen.add(variable(stopped, 0))
+    until(lambda: seen.add(variable(stopped, 0)) or variable(stopped, 1), what="the program's word that it is done")
     assert len(seen) > 2 and seen <= set(range(11))
     assert variable(stopped, 0) == 10
     assert motor.actual_position == 10000
@@ -85,6 +84,7 @@ def test_a_program_is_stopped_continued_and_reset(stopped, tmp_path):
     until(lambda: variable(stopped, 2) > count, what="the next turn")
 
     stopped.send(TMCLCommand.RESET_APPLICATION, 0, 0, 0)
+    assert stopped.get_global_parameter(APPLICATION_STATUS, 0) == RESET
     assert stopped.get_global_parameter(PROGRAM_COUNTER, 0) == 0
 
 
