@@ -33,7 +33,6 @@ def test_a_search_ends_at_its_zero(bench_connection, bench_module, mode):
         search(bench_connection, motor, 65 if mode == 7 else 1)
         finish(bench_connection, motor)
     search(bench_connection, motor, mode)
-    assert bench_connection.reference_search(STATUS, 0) != 0
     finish(bench_connection, motor)
 
 
@@ -54,9 +53,13 @@ def test_the_zero_of_two_searches_is_the_same_place(bench_connection, bench_modu
     assert abs(motor.get_axis_parameter(AP.LastReferenceSwitchPosition, signed=True)) <= TOLERANCE
 
 
-def test_a_search_can_be_stopped(bench_connection, bench_module):
+def test_a_search_is_active_until_it_is_stopped(bench_connection, bench_module):
     motor = bench_module.motors[0]
+    search(bench_connection, motor, 1)
+    finish(bench_connection, motor)
+    # The whole way lies ahead.
     search(bench_connection, motor, 65)
+    assert bench_connection.reference_search(STATUS, 0) != 0
     bench_connection.reference_search(STOP, 0)
     assert bench_connection.reference_search(STATUS, 0) == 0
     until(lambda: motor.actual_velocity == 0, what="standstill")
