@@ -208,11 +208,12 @@ enum Door {
 
 impl Door {
     fn open(bus: &Bus) -> Result<Self, Error> {
-        Ok(match &bus.endpoint {
-            Endpoint::Tcp { host, port } => Self::Tcp(Tcp::bind((host, *port), Framing::Plain)?),
-            Endpoint::SlcanTcp { host, port } => Self::Tcp(Tcp::bind((host, *port), Framing::Slcan)?),
-            Endpoint::Pty { path } => Self::Pty(Pty::open(path)?),
-        })
+        let door = match &bus.endpoint {
+            Endpoint::Tcp { host, port } => Tcp::bind((host, *port), Framing::Plain).map(Self::Tcp),
+            Endpoint::SlcanTcp { host, port } => Tcp::bind((host, *port), Framing::Slcan).map(Self::Tcp),
+            Endpoint::Pty { path } => Pty::open(path).map(Self::Pty),
+        };
+        door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
     }
 
     /// The endpoint with the real port.

@@ -5,10 +5,7 @@
 //! did not read, its line settings, its exclusive lock) is cleared before the next one comes.
 
 use super::{Sink, line::Line};
-use crate::{
-    Error,
-    stop::{Waited, Watch},
-};
+use crate::stop::{Waited, Watch};
 use rustix::{
     fs::{Mode, OFlags},
     io::{Errno, FdFlags},
@@ -40,10 +37,9 @@ pub(crate) struct Pty {
 
 impl Pty {
     /// Opens a terminal and makes `path` a symbolic link to it.
-    pub fn open(path: &Path) -> Result<Self, Error> {
-        let failed = |source| Error::Listen { endpoint: format!("pty:{}", path.display()), source };
-        let terminal = Terminal::open().map_err(|errno| failed(errno.into()))?;
-        let link = Link::create(path, &terminal.name).map_err(failed)?;
+    pub fn open(path: &Path) -> io::Result<Self> {
+        let terminal = Terminal::open()?;
+        let link = Link::create(path, &terminal.name)?;
         Ok(Self { terminal, link })
     }
 

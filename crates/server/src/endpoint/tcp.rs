@@ -1,13 +1,10 @@
 //! TCP: many clients at once, each with a thread of its own that blocks in `read`.
 
 use super::{Sink, line::Line, slcan};
-use crate::{
-    Error,
-    stop::{Waited, Watch},
-};
+use crate::stop::{Waited, Watch};
 use rustix::net::SendFlags;
 use std::{
-    io::{Read, Write},
+    io::{self, Read, Write},
     net::{Shutdown, TcpListener, TcpStream},
     os::fd::AsFd,
     sync::{Arc, Mutex, PoisonError, Weak},
@@ -45,11 +42,10 @@ pub(crate) struct Tcp {
 
 impl Tcp {
     /// Listens on a port of a host; port 0 lets the system choose.
-    pub fn bind((host, port): (&str, u16), framing: Framing) -> Result<Self, Error> {
-        let failed = |source| Error::Listen { endpoint: format!("{host}:{port}"), source };
-        let listener = TcpListener::bind((host, port)).map_err(failed)?;
-        listener.set_nonblocking(true).map_err(failed)?;
-        let port = listener.local_addr().map_err(failed)?.port();
+    pub fn bind((host, port): (&str, u16), framing: Framing) -> io::Result<Self> {
+        let listener = TcpListener::bind((host, port))?;
+        listener.set_nonblocking(true)?;
+        let port = listener.local_addr()?.port();
         Ok(Self { listener, port, framing })
     }
 
@@ -64,7 +60,7 @@ impl Tcp {
         while let Waited::Other = stop.or_readable(Some(self.listener.as_fd()), None) {
             match self.listener.accept() {
                 Ok((stream, _)) => self.welcome(stream, line, &clients),
-                Err(error) if error.kind() == std::io::ErrorKind::WouldBlock => {}
+                Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
                 Err(_) => thread::sleep(ACCEPT_PAUSE),
             }
         }
@@ -127,7 +123,7 @@ pub(super) fn receive(stream: &TcpStream, mut take: impl FnMut(&[u8]) -> bool) {
         match (&*stream).read(&mut bytes) {
             Ok(0) => return,
             Ok(length) if take(&bytes[..length]) => {}
-            Err(error) if error.kind() == std::io::ErrorKind::Interrupted => {}
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             Ok(_) | Err(_) => return,
         }
     }

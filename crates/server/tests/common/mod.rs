@@ -1,0 +1,183 @@
+//! A device that says back what it hears, so that the server is tested without a real controller's rules.
+#![allow(dead_code, reason = "every test binary uses its own part")]
+
+use devices::{
+    AxisState, Board, Controller, Model, Pin, PinKind, Port, ProgramRun, ProgramState, Wiring, flash::Flash,
+};
+use server::{Server, Settings, Token};
+use sim::DeviceConfig;
+use std::{
+    io::{Read, Write},
+    net::{SocketAddr, TcpStream},
+    path::PathBuf,
+    sync::atomic::{AtomicU32, Ordering},
+    time::{Duration, Instant},
+};
+
+/// Longest wait for anything.
+pub const PATIENCE: Duration = Duration::from_secs(20);
+
+pub const TOKEN: &str = "test-token";
+
+/// Its only model.
+pub static PARROT: Model =
+    Model { name: "parrot", title: "says back what it hears", flash_bytes: 8192, build: parrot };
+
+const CLOCK_HZ: u32 = 1_000_000;
+
+static PINS: &[Pin] = &[
+    Pin { name: "IN", kind: PinKind::Input, wiring: Wiring::Free, unit: "", scale: 1, rest: 0 },
+    Pin { name: "OUT", kind: PinKind::Output, wiring: Wiring::Free, unit: "", scale: 1, rest: 0 },
+    Pin { name: "MV", kind: PinKind::Analog, wiring: Wiring::Free, unit: "mV", scale: 1, rest: 7 },
+];
+
+/// Says back every byte through the port it came by, except for these:
+/// `!` makes it send `?` by itself 20 ms later; `.` it keeps to itself; `p` it answers after a pause of
+/// 200 ms; `w` and the next byte it writes to flash; `r` it answers with the byte in flash.
+struct Parrot {
+    flash: Box<dyn Flash + Send>,
+    now: u64,
+    due: Option<(u64, Port)>,
+    write: bool,
+}
+
+fn parrot(flash: Box<dyn Flash + Send>, _seed: u64) -> Box<dyn Controller + Send> {
+    Box::new(Parrot { flash, now: 0, due: None, write: false })
+}
+
+impl Controller for Parrot {
+    fn clock_hz(&self) -> u32 {
+        CLOCK_HZ
+    }
+
+    fn axes(&self) -> &'static [&'static str] {
+        &["A"]
+    }
+
+    fn pins(&self) -> &'static [Pin] {
+        PINS
+    }
+
+    fn watches(&self, _pin: usize) -> bool {
+        true
+    }
+
+    fn advance(&mut self, now: u64, board: &mut dyn Board) -> u64 {
+        self.now = now;
+        if let Some((_, port)) = self.due.take_if(|(at, _)| *at <= now) {
+            board.send(port, b"?", 0);
+        }
+        now
+    }
+
+    fn wake(&self) -> u64 {
+        self.due.map_or(u64::MAX, |(at, _)| at)
+    }
+
+    fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
+        if port == Port::Can {
+            return board.send(port, bytes, 0);
+        }
+        for byte in bytes {
+            match *byte {
+                byte if std::mem::take(&mut self.write) => {
+                    self.flash.erase(0, 4096).unwrap();
+                    self.flash.write(0, &[byte; 4]).unwrap();
+                }
+                b'!' => self.due = Some((self.now + u64::from(CLOCK_HZ) / 50, port)),
+                b'.' => {}
+                b'p' => board.send(port, b"p", 200),
+                b'w' => self.write = true,
+                b'r' => {
+                    let mut word = [0; 4];
+                    self.flash.read(0, &mut word).unwrap();
+                    board.send(port, &word[..1], 0);
+                }
+                byte => board.send(port, &[byte], 0),
+            }
+        }
+    }
+
+    fn input(&mut self, pin: usize, on: bool, board: &mut dyn Board) {
+        assert_eq!(pin, 0);
+        board.output(1, on);
+    }
+
+    fn analog_changed(&mut self, _pin: usize, _board: &mut dyn Board) {}
+
+    fn set_window(&mut self, _axis: usize, _low: i64, _high: i64) {}
+
+    fn odometer(&self, _axis: usize) -> i64 {
+        0
+    }
+
+    fn axis(&self, _axis: usize, board: &mut dyn Board) -> AxisState {
+        let load = i32::from(board.load(0));
+        AxisState { position: load, encoder: -4, speed_mpps: 1500, target: 12, status: 5, steps: 9 }
+    }
+
+    fn program(&self, index: usize) -> Option<ProgramState> {
+        (index == 0).then_some(ProgramState { run: ProgramRun::Running, counter: 3, instructions: 44 })
+    }
+}
+
+/// A parrot with these endpoints.
+pub fn device(name: &str, endpoints: &[&str]) -> DeviceConfig {
+    let listen = endpoints.iter().map(|endpoint| endpoint.parse().unwrap()).collect();
+    DeviceConfig { name: name.into(), listen, ..DeviceConfig::new(&PARROT) }
+}
+
+/// Settings for these devices, without HTTP and state.
+pub fn settings(devices: Vec<DeviceConfig>) -> Settings {
+    Settings { devices, http: None, speed: 1.0, state: None }
+}
+
+/// A server for these devices.
+pub fn serve(devices: Vec<DeviceConfig>) -> Server {
+    Server::start(settings(devices)).unwrap()
+}
+
+/// A server with HTTP, and where that is.
+pub fn serve_http(devices: Vec<DeviceConfig>) -> (Server, SocketAddr) {
+    let http = Some(("127.0.0.1:0".into(), Token::chosen(TOKEN).unwrap()));
+    let server = Server::start(Settings { http, ..settings(devices) }).unwrap();
+    let url = server.url().unwrap();
+    let address = url.strip_prefix("http://").unwrap().split('/').next().unwrap().parse().unwrap();
+    (server, address)
+}
+
+/// A connection to a TCP endpoint as [`Server::ready`] names it.
+pub fn connect(endpoint: &str) -> TcpStream {
+    let address = endpoint.split_once(':').unwrap().1;
+    let stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    stream
+}
+
+/// Sends bytes and expects others back.
+#[track_caller]
+pub fn check(mut port: impl Read + Write, sent: &[u8], expected: &[u8]) {
+    port.write_all(sent).unwrap();
+    let mut reply = vec![0; expected.len()];
+    port.read_exact(&mut reply).unwrap();
+    assert_eq!(reply.escape_ascii().to_string(), expected.escape_ascii().to_string());
+}
+
+/// Waits until something is so.
+#[track_caller]
+pub fn eventually(what: &str, mut is_so: impl FnMut() -> bool) {
+    let start = Instant::now();
+    while !is_so() {
+        assert!(start.elapsed() < PATIENCE, "never: {what}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// A new directory for one test.
+pub fn directory() -> PathBuf {
+    static NUMBER: AtomicU32 = AtomicU32::new(0);
+    let name = format!("server-{}-{}", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed));
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}

@@ -1,0 +1,196 @@
+//! The HTTP interface, call by call.
+
+mod common;
+
+use common::{PATIENCE, TOKEN, device, eventually, serve_http};
+use serde_json::{Value, json};
+use std::{
+    io::{Read, Write},
+    net::{SocketAddr, TcpStream},
+    time::{Duration, Instant},
+};
+use tungstenite::{client::IntoClientRequest, http::header};
+
+/// Sends a request as it stands, and gives status and body.
+fn raw(address: SocketAddr, request: &str) -> (u16, String) {
+    let mut stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    stream.write_all(request.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+    (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
+}
+
+/// A request with the token.
+fn call(address: SocketAddr, method: &str, path: &str, body: &str) -> (u16, Value) {
+    let request = format!(
+        "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {TOKEN}\r\nConnection: close\r\n\
+         Content-Length: {}\r\n\r\n{body}",
+        body.len()
+    );
+    let (status, body) = raw(address, &request);
+    (status, if body.is_empty() { Value::Null } else { serde_json::from_str(&body).unwrap() })
+}
+
+#[test]
+fn devices_and_their_state() {
+    let (server, address) = serve_http(vec![device("a", &["tcp:127.0.0.1:0"]), device("b", &[])]);
+    let endpoint = &server.ready()[0].1;
+    let (status, list) = call(address, "GET", "/api/devices", "");
+    assert_eq!(status, 200);
+    let expected = json!([
+        { "name": "a", "model": "parrot", "endpoints": [endpoint] },
+        { "name": "b", "model": "parrot", "endpoints": [] },
+    ]);
+    assert_eq!(list, expected);
+
+    let (status, mut state) = call(address, "GET", "/api/devices/a", "");
+    assert_eq!(status, 200);
+    let seconds = state.as_object_mut().unwrap().remove("device_seconds").unwrap().as_f64().unwrap();
+    assert!(seconds > 0.0 && seconds < PATIENCE.as_secs_f64());
+    let expected = json!({
+        "name": "a", "model": "parrot", "endpoints": [endpoint],
+        "axes": { "A": {
+            "position": 0, "encoder": -4, "speed": 1.5, "target": 12, "status": 5, "steps": 9
+        } },
+        "programs": [{ "state": "running", "counter": 3, "instructions": 44 }],
+    });
+    assert_eq!(state, expected);
+    server.stop().unwrap();
+}
+
+#[test]
+fn pins_loads_and_power() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let check = |method: &str, path: &str, body: &str, status: u16, answer: Value| {
+        let got = call(address, method, &format!("/api/devices/a/{path}"), body);
+        assert_eq!(got, (status, answer), "{method} {path} {body}");
+    };
+    let none = Value::Null;
+    let error = |text: &str| json!({ "error": text });
+    check("GET", "pins/IN", "", 200, json!(false));
+    check("PUT", "pins/IN", "true", 204, none.clone());
+    check("GET", "pins/IN", "", 200, json!(true));
+    check("GET", "pins/OUT", "", 200, json!(true));
+    check("DELETE", "pins/IN", "", 204, none.clone());
+    check("GET", "pins/IN", "", 200, json!(false));
+    check("GET", "pins/OUT", "", 200, json!(false));
+    check("PUT", "pins/MV", "1234", 204, none.clone());
+    check("GET", "pins/MV", "", 200, json!(1234.0));
+    check("DELETE", "pins/MV", "", 204, none.clone());
+    check("GET", "pins/MV", "", 200, json!(7.0));
+
+    let unknown = "there is no pin `LID`, the device has: IN, OUT, MV";
+    check("GET", "pins/LID", "", 404, error(unknown));
+    check("PUT", "pins/LID", "true", 404, error(unknown));
+    check("DELETE", "pins/LID", "", 404, error(unknown));
+    check("PUT", "pins/OUT", "true", 422, error("`OUT` is an output, only the controller drives it"));
+    check("DELETE", "pins/OUT", "", 422, error("`OUT` is an output, only the controller drives it"));
+    check("PUT", "pins/IN", "5", 422, error("`IN` is digital: true or false"));
+    check("PUT", "pins/MV", "true", 422, error("`MV` is analog: a number in mV"));
+    check("PUT", "pins/MV", "1e300", 422, error("`MV` cannot have this value"));
+    check("PUT", "pins/IN", "\"on\"", 422, error("`\"on\"` is not true, false or a number"));
+    let (status, body) = call(address, "PUT", "/api/devices/a/pins/IN", "{");
+    assert_eq!(status, 400);
+    assert!(body["error"].as_str().unwrap().starts_with("the body is not JSON: "), "{body}");
+    let (status, body) = call(address, "PUT", "/api/devices/a/pins/IN", &" ".repeat(5000));
+    assert_eq!(status, 413);
+    assert!(body["error"].is_string());
+
+    check("PUT", "axes/A/load", "0.25", 204, none.clone());
+    let position = || call(address, "GET", "/api/devices/a", "").1["axes"]["A"]["position"].clone();
+    assert_eq!(position(), 250);
+    check("PUT", "axes/B/load", "0.25", 404, error("there is no axis `B`, the device has: A"));
+    check("PUT", "axes/A/load", "-1", 422, error("the value is out of range"));
+    check("PUT", "axes/A/load", "true", 422, error("`true` is not a number"));
+    check("POST", "power-cycle", "", 204, none.clone());
+    check("POST", "power-cut", "", 204, none);
+
+    check("POST", "pins/IN", "", 405, error("this path does not take that method"));
+    check("GET", "nothing", "", 404, error("there is nothing here"));
+    let (status, body) = call(address, "GET", "/api/devices/b", "");
+    assert_eq!((status, body), (404, error("unknown device `b`, known: a")));
+    let (status, _) = call(address, "GET", "/api/devices/%FF", "");
+    assert_eq!(status, 400);
+    server.stop().unwrap();
+}
+
+#[test]
+fn every_request_needs_the_token_and_a_host_of_ours() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let check = |headers: &str, path: &str, expected: u16| {
+        let request = format!("GET {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n");
+        let (status, body) = raw(address, &request);
+        assert_eq!(status, expected, "{headers} {path}");
+        if expected >= 400 {
+            let body: Value = serde_json::from_str(&body).unwrap();
+            assert!(body["error"].is_string());
+        }
+    };
+    let host = format!("Host: {address}\r\n");
+    let token = format!("Authorization: Bearer {TOKEN}\r\n");
+    check(&format!("{host}{token}"), "/api/devices", 200);
+    check(&format!("Host: localhost\r\n{token}"), "/api/devices", 200);
+    check(&host, "/api/devices", 401);
+    check(&host, "/nothing", 401);
+    check(&host, &format!("/api/devices?token={TOKEN}"), 401);
+    check(&format!("{host}Authorization: Bearer test-tokeN\r\n"), "/api/devices", 401);
+    check(&format!("{host}Authorization: Bearer\r\n"), "/api/devices", 401);
+    check(&format!("{host}Authorization: Basic {TOKEN}\r\n"), "/api/devices", 401);
+    check(&format!("Host: evil.example\r\n{token}"), "/api/devices", 403);
+    check(&format!("Host: evil.example:{}\r\n{token}", address.port()), "/api/devices", 403);
+    server.stop().unwrap();
+}
+
+#[test]
+fn the_stream_sends_thirty_states_a_second() {
+    let (server, address) = serve_http(vec![device("a", &["tcp:127.0.0.1:0"])]);
+    let attempt = |path: &str, bearer: Option<&str>| {
+        let mut request = format!("ws://{address}{path}").into_client_request().unwrap();
+        if let Some(token) = bearer {
+            request.headers_mut().insert(header::AUTHORIZATION, format!("Bearer {token}").parse().unwrap());
+        }
+        let stream = TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+        tungstenite::client(request, stream).map(|(socket, _)| socket)
+    };
+    assert!(attempt("/api/devices/a/stream", None).is_err());
+    assert!(attempt("/api/devices/a/stream?token=wrong", None).is_err());
+    assert!(attempt("/api/devices/b/stream", Some(TOKEN)).is_err());
+    assert!(attempt("/api/devices/a", Some(TOKEN)).is_err(), "no WebSocket there");
+    assert_eq!(call(address, "GET", "/api/devices/a/stream", "").0, 400);
+
+    let query = format!("/api/devices/a/stream?token={TOKEN}");
+    for mut socket in [attempt(&query, None).unwrap(), attempt("/api/devices/a/stream", Some(TOKEN)).unwrap()]
+    {
+        let mut next = || {
+            let message = socket.read().unwrap().into_text().unwrap();
+            serde_json::from_str::<Value>(&message).unwrap()["device_seconds"].as_f64().unwrap()
+        };
+        let (first, start) = (next(), Instant::now());
+        for _ in 0..29 {
+            next();
+        }
+        let (last, wall) = (next(), start.elapsed());
+        assert!((0.95..1.5).contains(&(last - first)), "30 states in {} s of device time", last - first);
+        assert!(wall < Duration::from_secs(3), "30 states in {wall:?}");
+        socket.close(None).unwrap();
+    }
+    server.stop().unwrap();
+}
+
+#[test]
+fn connections_are_limited_but_not_lost() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let idle: Vec<_> = (0..128).map(|_| TcpStream::connect(address).unwrap()).collect();
+    // Give the server time to accept them all before one more asks.
+    std::thread::sleep(Duration::from_millis(200));
+    let waiting = std::thread::spawn(move || call(address, "GET", "/api/devices", "").0);
+    std::thread::sleep(Duration::from_millis(200));
+    assert!(!waiting.is_finished(), "it waits for room");
+    drop(idle);
+    eventually("it is answered", || waiting.is_finished());
+    assert_eq!(waiting.join().unwrap(), 200);
+    server.stop().unwrap();
+}
