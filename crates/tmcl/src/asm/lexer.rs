@@ -1,0 +1,112 @@
+//! Characters to tokens.
+
+use logos::Logos;
+use std::ops::Range;
+
+/// A token.
+#[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
+#[logos(skip r"[ \t\u{C}\u{A0}\u{FEFF}]+")]
+#[logos(skip(r"//[^\r\n]*", allow_greedy = true))]
+pub(super) enum Token {
+    #[regex(r"\r\n|\n|\r")]
+    LineEnd,
+    #[regex(r"[\p{L}_][\p{L}\p{N}_]*")]
+    Name,
+    #[regex(r"[0-9]+")]
+    Decimal,
+    #[regex(r"(\$|0[xX])[0-9A-Fa-f]+")]
+    Hexadecimal,
+    #[regex(r"(%|0[bB])[01]+")]
+    Binary,
+    /// `#` and everything behind it, comment included.
+    #[regex(r"#[^\r\n]*", allow_greedy = true)]
+    Directive,
+    #[token(":")]
+    Colon,
+    #[token(",")]
+    Comma,
+    #[token("=")]
+    Equals,
+    #[token("+")]
+    Plus,
+    #[token("-")]
+    Minus,
+    #[token("*")]
+    Star,
+    #[token("/")]
+    Slash,
+    #[token("(")]
+    Open,
+    #[token(")")]
+    Close,
+    /// A character that means nothing.
+    Unknown,
+}
+
+/// A token and where it stands.
+pub(super) type Spanned = (Token, Range<usize>);
+
+/// The tokens of each line that has any.
+pub(super) fn lines(text: &str) -> Vec<Vec<Spanned>> {
+    let mut lines = Vec::new();
+    let mut line = Vec::new();
+    for (token, span) in Token::lexer(text).spanned() {
+        match token.unwrap_or(Token::Unknown) {
+            Token::LineEnd => lines.push(std::mem::take(&mut line)),
+            token => line.push((token, span)),
+        }
+    }
+    lines.push(line);
+    lines.retain(|line: &Vec<Spanned>| !line.is_empty());
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tokens() {
+        let check = |text: &str, expected: &[(Token, &str)]| {
+            let lines = lines(text).concat();
+            let found: Vec<_> = lines.into_iter().map(|(token, span)| (token, &text[span])).collect();
+            assert_eq!(found, expected);
+        };
+        use Token::*;
+        check("Größe: MVP // x", &[(Name, "Größe"), (Colon, ":"), (Name, "MVP")]);
+        check(
+            "$1F 0x1f %101 0b1 10",
+            &[
+                (Hexadecimal, "$1F"),
+                (Hexadecimal, "0x1f"),
+                (Binary, "%101"),
+                (Binary, "0b1"),
+                (Decimal, "10"),
+            ],
+        );
+        check(
+            "A=-(1+2)*3/4",
+            &[
+                (Name, "A"),
+                (Equals, "="),
+                (Minus, "-"),
+                (Open, "("),
+                (Decimal, "1"),
+                (Plus, "+"),
+                (Decimal, "2"),
+                (Close, ")"),
+                (Star, "*"),
+                (Decimal, "3"),
+                (Slash, "/"),
+                (Decimal, "4"),
+            ],
+        );
+        check("#include a.inc // why\rSTOP", &[(Directive, "#include a.inc // why"), (Name, "STOP")]);
+        check("a ? b", &[(Name, "a"), (Unknown, "?"), (Name, "b")]);
+    }
+
+    #[test]
+    fn empty_lines_vanish() {
+        assert_eq!(lines("\n\r\n// only a comment\r \t\nSTOP\n").len(), 1);
+    }
+}
