@@ -1,5 +1,8 @@
 //! Running a standalone program in virtual time, from its download to its end.
 
+#[cfg(test)]
+mod tests;
+
 use crate::device::{AxisView, PinError, TimedInput, VirtualDevice};
 use devices::{Port, ProgramRun};
 use motion::Ticks;

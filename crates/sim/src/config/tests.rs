@@ -72,7 +72,7 @@ fn defaults_belong_to_the_model() {
 #[test]
 fn text_that_is_not_toml() {
     check("[[device]\n", "bench.toml:1: unclosed array table, expected `]`");
-    check("\n\nmodel = test\n", "bench.toml:3: string values must be quoted, expected literal string");
+    check("\n\nmodel = test\n", "bench.toml:3: invalid boolean, expected `true`");
 }
 
 #[test]

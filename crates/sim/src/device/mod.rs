@@ -17,7 +17,7 @@ use crate::{
     flash::SharedFlash,
     record::{Mark, RecordError, RecordInfo, Recorder},
 };
-use devices::{AxisState, Controller, Pin, PinKind, Port, ProgramState};
+use devices::{AxisState, Controller, Drive, Pin, PinKind, Port, ProgramState};
 use motion::Ticks;
 use schedule::Schedule;
 use world::World;
@@ -63,7 +63,7 @@ pub struct VirtualDevice {
     told: Vec<i32>,
     /// Where each pin's shaft was then.
     places: Vec<i64>,
-    moving: Vec<bool>,
+    movements: Vec<Movement>,
 }
 
 impl VirtualDevice {
@@ -92,7 +92,7 @@ impl VirtualDevice {
             schedule: Schedule::default(),
             told: Vec::new(),
             places: Vec::new(),
-            moving: Vec::new(),
+            movements: Vec::new(),
             controller,
         };
         device.start();
@@ -258,6 +258,14 @@ impl VirtualDevice {
         Ok(())
     }
 
+    /// What the driver stage of an axis does.
+    ///
+    /// # Errors
+    /// [`AxisError::Unknown`].
+    pub fn drive(&self, axis: &str) -> Result<Drive, AxisError> {
+        Ok(self.world.machine.drive(self.axis_index(axis)?))
+    }
+
     /// Where the driven side of an axis really is, in 1/256 full steps from where it first stood.
     ///
     /// # Errors
@@ -315,7 +323,7 @@ impl VirtualDevice {
 
     /// Tells this recorder of everything from now on.
     pub fn add_recorder(&mut self, recorder: Box<dyn Recorder + Send>) {
-        self.moving = self.movement();
+        self.movements = self.movement();
         self.world.add_recorder(recorder);
     }
 
@@ -381,7 +389,7 @@ impl VirtualDevice {
         }
         self.world.stirred = true;
         self.settle();
-        self.moving = self.movement();
+        self.movements = self.movement();
     }
 
     /// Goes to device time `now`, or to the first change of an input before it.
@@ -449,23 +457,45 @@ impl VirtualDevice {
         self.controller.input(pin, level != 0, &mut self.world);
     }
 
-    fn movement(&mut self) -> Vec<bool> {
-        (0..self.axes().len()).map(|axis| self.axis(axis).speed_mpps != 0).collect()
+    fn movement(&mut self) -> Vec<Movement> {
+        (0..self.axes().len()).map(|axis| Movement::of(&self.axis(axis))).collect()
     }
 
     fn record(&mut self) {
         let states: Vec<_> = (0..self.axes().len()).map(|axis| self.axis(axis)).collect();
         for (axis, state) in states.iter().enumerate() {
-            let moving = state.speed_mpps != 0;
-            if std::mem::replace(&mut self.moving[axis], moving) != moving {
-                let mark = match moving {
-                    true => Mark::Started,
-                    false if state.position == state.target => Mark::TargetReached,
-                    false => Mark::Stopped,
-                };
+            let before = std::mem::replace(&mut self.movements[axis], Movement::of(state));
+            for mark in before.marks(state) {
                 self.world.record_mark(axis, mark);
             }
         }
         self.world.sample(&states);
+    }
+}
+
+/// How an axis was moving when it was last looked at.
+#[derive(Clone, Copy, Debug)]
+struct Movement {
+    moving: bool,
+    target: i32,
+}
+
+impl Movement {
+    fn of(state: &AxisState) -> Self {
+        Self { moving: state.speed_mpps != 0, target: state.target }
+    }
+
+    /// What has happened until now. A program may give the next target in the moment of arrival.
+    fn marks(self, now: &AxisState) -> impl Iterator<Item = Mark> + use<> {
+        let moving = now.speed_mpps != 0;
+        let next = moving && now.target != self.target;
+        let arrived = self.moving && now.position == self.target && (next || !moving);
+        let came_to_rest = match (arrived, self.moving && !moving) {
+            (true, _) => Some(Mark::TargetReached),
+            (false, true) => Some(Mark::Stopped),
+            (false, false) => None,
+        };
+        let started = (moving && (!self.moving || arrived)).then_some(Mark::Started);
+        came_to_rest.into_iter().chain(started)
     }
 }

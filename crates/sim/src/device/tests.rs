@@ -261,7 +261,7 @@ fn a_power_cycle_keeps_time_shaft_and_flash() {
     device.power_cycle();
     assert_eq!(device.now(), 150 * INTERVAL);
     assert_eq!(device.read_pin("OUT"), Ok(PinValue::Level(false)));
-    assert_eq!((device.axis(0).position, device.axis(0).encoder, device.shaft("0")), (0, 0, Ok(150)));
+    assert_eq!((device.axis(0).position, device.axis(0).encoder, device.shaft("0")), (0, 150, Ok(150)));
     assert_eq!(device.flash().to_bytes()[..4], 0x1234_5678_u32.to_le_bytes());
     // Switches stand where they stood.
     device.drain_sent().for_each(drop);

@@ -20,8 +20,6 @@ pub(crate) struct Counter {
     numerator: i64,
     denominator: i128,
     mark: Zone,
-    turn: Option<i64>,
-    zero: i64,
 }
 
 impl Counter {
@@ -37,8 +35,6 @@ impl Counter {
                     denominator: i128::from(count) << FRACTION_BITS,
                     // Where a counter that started at the mark would show a multiple of the turn.
                     mark: Zone::repeated(-(count / 2), count - count / 2 - 1, TURN),
-                    turn: Some(counts),
-                    zero: 0,
                 }
             }
             Encoder::External => Self {
@@ -46,36 +42,20 @@ impl Counter {
                 numerator: ratio,
                 denominator: 1 << FRACTION_BITS,
                 mark: Zone::repeated(0, 0, axis.index_every),
-                turn: None,
-                zero: 0,
             },
         }
     }
 
-    /// Counts from the last power-up.
+    /// Counts from where the shaft first stood. They are absolute, as those of a built-in encoder within
+    /// a revolution are: who wants to count from power-up takes the first reading for 0.
     pub fn count(&self, shaft: &Shaft) -> i64 {
-        self.absolute(shaft) - self.zero
-    }
-
-    /// Where within its revolution an absolute encoder stands: 0 to one less than its resolution.
-    pub fn angle(&self, shaft: &Shaft) -> Option<i64> {
-        let turn = self.turn?;
-        Some(self.absolute(shaft).rem_euclid(turn))
-    }
-
-    /// The counter starts again from 0.
-    pub fn power_up(&mut self, shaft: &Shaft) {
-        self.zero = self.absolute(shaft);
+        let scaled = i128::from(shaft.position(self.side)) * i128::from(self.numerator);
+        (scaled + self.denominator / 2).div_euclid(self.denominator) as i64
     }
 
     /// Where the index or null channel is on.
     pub fn mark(&self) -> (Side, Zone) {
         (self.side, self.mark)
-    }
-
-    fn absolute(&self, shaft: &Shaft) -> i64 {
-        let scaled = i128::from(shaft.position(self.side)) * i128::from(self.numerator);
-        (scaled + self.denominator / 2).div_euclid(self.denominator) as i64
     }
 }
 
@@ -113,16 +93,5 @@ mod tests {
         );
         check(Encoder::External, -0.25, &[(400, -100), (-400, 100)]);
         check(Encoder::External, 0.1, &[(10_000_000, 1_000_000)]);
-    }
-
-    #[test]
-    fn the_angle_stays_when_the_counter_starts_again() {
-        let mut counter = Counter::new(Encoder::BuiltIn(1024), &AxisConfig::of_model(""));
-        let mut shaft = Shaft::new(0, None);
-        shaft.turn(-50);
-        counter.power_up(&shaft);
-        assert_eq!((counter.count(&shaft), counter.angle(&shaft)), (0, Some(1023)));
-        shaft.turn(100);
-        assert_eq!((counter.count(&shaft), counter.angle(&shaft)), (2, Some(1)));
     }
 }

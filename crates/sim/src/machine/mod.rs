@@ -90,13 +90,10 @@ impl Machine {
         Self { axes: shafts.collect(), encoders, contacts, quantities }
     }
 
-    /// Counters start from 0 and the driver stages as if nobody had told them anything.
+    /// Odometers start from 0, and driver stages as if nobody had told them anything.
     pub fn power_up(&mut self) {
         for shaft in &mut self.axes {
             shaft.power_up();
-        }
-        for (axis, counter) in &mut self.encoders {
-            counter.power_up(&self.axes[*axis]);
         }
     }
 
@@ -104,6 +101,12 @@ impl Machine {
         self.axes[axis].follow(train);
     }
 
+    /// The driver stage of an axis.
+    pub fn drive(&self, axis: usize) -> Drive {
+        self.axes[axis].drive()
+    }
+
+    /// The driver stage of an axis changes.
     pub fn set_drive(&mut self, axis: usize, drive: Drive) {
         self.axes[axis].set_drive(drive);
     }
@@ -131,18 +134,11 @@ impl Machine {
         self.axes[axis].position(Side::Load)
     }
 
-    /// The counter of an encoder; past the last channel the angles of the built-in ones, in their order.
+    /// The counter of an encoder: 0 where the shaft first stood.
     pub fn encoder(&self, channel: usize) -> i32 {
-        let count = match self.encoders.get(channel) {
-            Some((axis, counter)) => counter.count(&self.axes[*axis]),
-            None => {
-                let mut angles =
-                    self.encoders.iter().filter_map(|(axis, counter)| counter.angle(&self.axes[*axis]));
-                angles.nth(channel - self.encoders.len()).unwrap_or(0)
-            }
-        };
+        let (axis, counter) = &self.encoders[channel];
         // A register of 32 bits wraps.
-        count as i32
+        counter.count(&self.axes[*axis]) as i32
     }
 
     pub fn quantity(&self, pin: usize) -> i32 {

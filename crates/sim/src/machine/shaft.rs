@@ -71,6 +71,12 @@ impl Shaft {
         self.odometer
     }
 
+    /// The driver stage.
+    pub fn drive(&self) -> Drive {
+        self.drive
+    }
+
+    /// The driver stage changes.
     pub fn set_drive(&mut self, drive: Drive) {
         self.drive = drive;
     }

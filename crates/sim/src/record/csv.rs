@@ -134,3 +134,80 @@ fn decimal_thousandths(value: i64) -> String {
     let (whole, part) = (value.unsigned_abs() / 1000, value.unsigned_abs() % 1000);
     if part == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part:03}") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use devices::{Pin, PinKind, Wiring};
+    use motion::{Direction, Moment};
+    use std::io;
+
+    static PINS: &[Pin] = &[Pin {
+        name: "SUPPLY",
+        kind: PinKind::Analog,
+        wiring: Wiring::Supply,
+        unit: "V",
+        scale: 1000,
+        rest: 24_000,
+    }];
+
+    fn info() -> RecordInfo {
+        RecordInfo { device: "stage".into(), clock_hz: 16_000_000, axes: &["0"], pins: PINS }
+    }
+
+    #[track_caller]
+    fn check(detail: Detail, expected: &str) {
+        let mut bytes = Vec::new();
+        let mut recorder = CsvRecorder::new(&mut bytes, "a.csv", &info(), detail);
+        recorder.pin(0, 0, 12_500);
+        recorder.drive(8, 0, Drive { step: 1, parts: 1, current: 31 });
+        let start = Moment::at(16);
+        let direction = Direction::Negative;
+        let train = Train { start, interval: 16 << 32, add: 0, jerk: 0, count: 2, direction };
+        recorder.train(0, &train);
+        recorder
+            .train(0, &Train { start: Moment::at(48), count: 1, direction: Direction::Positive, ..train });
+        let state =
+            AxisState { position: -1, encoder: -2, speed_mpps: -1500, target: 7, status: 3, steps: 3 };
+        recorder.sample(16_000_000, 0, &state);
+        recorder.mark(16_000_001, 0, Mark::TargetReached);
+        recorder.finish(16_000_002).unwrap();
+        drop(recorder);
+        assert_eq!(String::from_utf8(bytes).unwrap(), expected);
+    }
+
+    const HEAD: &str = "seconds,event,axis,position,encoder,speed,target,status,pin,value\n\
+        0,pin,,,,,,,SUPPLY,12.5\n\
+        0.0000005,drive,0,,,,,,,31\n";
+    const TAIL: &str = "1,sample,0,-1,-2,-1.500,7,3,,\n\
+        1.0000000625,target_reached,0,,,,,,,\n";
+
+    #[test]
+    fn rows_are_events_and_samples() {
+        check(Detail::Samples, &format!("{HEAD}{TAIL}"));
+        let pulses = "0.000002,pulse,0,,,,,,,-1\n0.000003,pulse,0,,,,,,,-2\n0.000004,pulse,0,,,,,,,-1\n";
+        check(Detail::Edges, &format!("{HEAD}{pulses}{TAIL}"));
+    }
+
+    #[test]
+    fn a_full_disk_is_told_at_the_end() {
+        struct Full;
+
+        impl io::Write for Full {
+            fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+                Err(io::Error::from(io::ErrorKind::StorageFull))
+            }
+
+            fn flush(&mut self) -> io::Result<()> {
+                Ok(())
+            }
+        }
+
+        let mut recorder = CsvRecorder::new(Full, "a.csv", &info(), Detail::Samples);
+        for _ in 0..10_000 {
+            recorder.sample(0, 0, &AxisState::default());
+        }
+        let error = recorder.finish(0).unwrap_err().to_string();
+        assert!(error.starts_with("a.csv: ") && !error.contains('\n'), "{error}");
+    }
+}

@@ -1,0 +1,134 @@
+//! Programs on the real PD42-1140.
+
+use super::*;
+use crate::{
+    config::DeviceConfig,
+    device::{Input, PinValue},
+    record,
+};
+
+const MVP: u8 = 4;
+const ROR: u8 = 1;
+const SAP: u8 = 5;
+const JA: u8 = 22;
+const WAIT: u8 = 27;
+const END: u8 = 28;
+
+fn program(commands: &[(u8, u8, u8, i32)]) -> Vec<u8> {
+    let record = |(opcode, kind, motor, value): &(u8, u8, u8, i32)| {
+        let mut record = vec![*opcode, *kind, *motor];
+        record.extend(value.to_be_bytes());
+        record.push(record.iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte)));
+        record
+    };
+    commands.iter().flat_map(record).collect()
+}
+
+fn device() -> VirtualDevice {
+    VirtualDevice::new(&DeviceConfig::new(devices::model("pd42-1140").unwrap()), 1)
+}
+
+/// There and back, with rests.
+fn there_and_back() -> Vec<u8> {
+    program(&[
+        (MVP, 0, 0, 51_200),
+        (WAIT, 1, 0, 0),
+        (WAIT, 0, 0, 20),
+        (MVP, 0, 0, -25_600),
+        (WAIT, 1, 0, 0),
+        (MVP, 0, 0, 0),
+        (WAIT, 1, 0, 0),
+        (END, 0, 0, 0),
+    ])
+}
+
+#[test]
+fn a_program_runs_to_its_end() {
+    let result = run(&mut device(), &there_and_back(), &RunOptions::default(), |_| ()).unwrap();
+    assert_eq!(result.stop_reason, StopReason::Ended);
+    assert_eq!(result.instructions, 8);
+    let axis = result.axes["0"];
+    assert_eq!((axis.position, axis.encoder, axis.steps), (0, 0, 2 * 51_200 + 2 * 25_600));
+    let json = serde_json::to_value(&result).unwrap();
+    assert_eq!(json["stop_reason"], "ended");
+    assert_eq!(json["axes"]["0"]["steps"], 153_600);
+}
+
+#[test]
+fn the_last_move_comes_to_its_end() {
+    let program = program(&[(MVP, 0, 0, 51_200), (END, 0, 0, 0)]);
+    let result = run(&mut device(), &program, &RunOptions::default(), |_| ()).unwrap();
+    assert_eq!((result.stop_reason, result.axes["0"].position), (StopReason::Ended, 51_200));
+}
+
+#[test]
+fn the_time_is_a_limit() {
+    let program = program(&[(ROR, 0, 0, 500), (JA, 0, 0, 1)]);
+    let options = RunOptions { for_seconds: Some(1.5), inputs: Vec::new() };
+    let mut reports = 0;
+    let result = run(&mut device(), &program, &options, |_| reports += 1).unwrap();
+    assert_eq!((result.stop_reason, result.device_seconds), (StopReason::TimeUp, 1.5));
+    assert!(reports >= 10, "{reports}");
+    // One command takes 50 us, and the first is at 0.
+    assert_eq!(result.instructions, 30_001);
+}
+
+#[test]
+fn planned_inputs_count_from_the_start() {
+    let program = program(&[(ROR, 0, 0, 500), (JA, 0, 0, 1)]);
+    let input = Input { pin: "STOP_R".into(), value: Some(PinValue::Level(true)) };
+    let stop = TimedInput { seconds: 0.5, input };
+    let options = RunOptions { for_seconds: Some(2.0), inputs: vec![stop] };
+    let mut module = device();
+    let stopped = run(&mut module, &program, &options, |_| ()).unwrap().axes["0"].steps;
+    let free = RunOptions { for_seconds: Some(2.0), inputs: Vec::new() };
+    let gone = run(&mut device(), &program, &free, |_| ()).unwrap().axes["0"].steps;
+    assert!(stopped > 0 && stopped < gone / 2, "{stopped} of {gone}");
+    let unknown = TimedInput { seconds: 0.5, input: Input { pin: "DI1".into(), value: None } };
+    let options = RunOptions { for_seconds: None, inputs: vec![unknown] };
+    assert!(matches!(
+        run(&mut module, &program, &options, |_| ()),
+        Err(RunError::Pin(PinError::Unknown { .. }))
+    ));
+}
+
+#[test]
+fn programs_that_cannot_be_loaded() {
+    let check = |program: &[u8], expected| {
+        assert_eq!(run(&mut device(), program, &RunOptions::default(), |_| ()), Err(expected));
+    };
+    check(&[0; 9], RunError::Length(9));
+    let mut wrong = there_and_back();
+    wrong[15] ^= 1;
+    check(&wrong, RunError::Checksum(1));
+    let long = program(&vec![(SAP, 4, 0, 100); 2049]);
+    check(&long, RunError::Refused { command: 2048, status: 4 });
+}
+
+/// What a plot says of a run; the picture itself is for people.
+#[test]
+fn a_run_is_recorded() {
+    let directory = std::env::temp_dir().join(format!("pulsetrain-run-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    let mut module = device();
+    for name in ["run.csv", "run.svg"] {
+        let recorder = record::create(&directory.join(name), &module.record_info()).unwrap();
+        module.add_recorder(recorder);
+    }
+    let result = run(&mut module, &there_and_back(), &RunOptions::default(), |_| ()).unwrap();
+    module.finish_recordings().unwrap();
+    let csv = std::fs::read_to_string(directory.join("run.csv")).unwrap();
+    let rows = |event: &str| csv.lines().filter(|line| line.split(',').nth(1) == Some(event)).count();
+    assert_eq!((rows("target_reached"), rows("stopped")), (3, 0));
+    assert_eq!(rows("sample"), (result.device_seconds * 1000.0) as usize + 1);
+    let svg = std::fs::read_to_string(directory.join("run.svg")).unwrap();
+    for text in
+        ["pd42-1140", "position", "speed", "acceleration", "target reached", "switch", "HOME", "time / s"]
+    {
+        assert!(svg.contains(text), "{text}");
+    }
+    assert!(svg.len() < 200_000, "{} bytes", svg.len());
+    std::fs::remove_dir_all(directory).unwrap();
+    let error = record::create(std::path::Path::new("a.xyz"), &module.record_info()).err().unwrap();
+    assert_eq!(error.to_string(), "a.xyz: no recording format with this extension, known: .csv, .svg");
+}
