@@ -21,6 +21,7 @@ pub(super) fn assemble(name: &str, source: &[u8], environment: &dyn Environment)
         diagnostics,
         symbols: Symbols::default(),
         program: Program::default(),
+        too_long: false,
     };
     assembler.define(&statements);
     assembler.encode(&statements);
@@ -33,6 +34,7 @@ struct Assembler<'a> {
     diagnostics: Vec<Diagnostic>,
     symbols: Symbols,
     program: Program,
+    too_long: bool,
 }
 
 impl Assembler<'_> {
@@ -40,10 +42,6 @@ impl Assembler<'_> {
         let mut diagnostic = Diagnostic::new(severity, &self.sources[file], span, message);
         diagnostic.hint = hint;
         self.diagnostics.push(diagnostic);
-    }
-
-    fn error(&mut self, file: usize, span: Span, message: String) {
-        self.report(Severity::Error, file, span, message, None);
     }
 
     fn place(&self, file: usize, span: &Span) -> Place {
@@ -129,7 +127,8 @@ impl Assembler<'_> {
             let Statement::Command(mnemonic, operands) = statement else { continue };
             if self.program.commands.len() == PROGRAM_LENGTH {
                 let message = format!("the program memory has {PROGRAM_LENGTH} commands");
-                self.error(*file, mnemonic.clone(), message);
+                self.report(Severity::Error, *file, mnemonic.clone(), message, None);
+                self.too_long = true;
                 break;
             }
             let before = self.diagnostics.len();
@@ -252,7 +251,7 @@ impl Assembler<'_> {
     fn finish(mut self, statements: &[Placed]) -> Assembly {
         let no_stop = statements.iter().any(|placed| placed.statement == Statement::NoStop);
         let stops = self.program.commands.last().is_some_and(|command| command.opcode == opcode::STOP);
-        if !stops && !no_stop {
+        if !stops && !no_stop && !self.too_long {
             let place = self.program.map.last().copied().unwrap_or(Place { file: 0, line: 1 });
             if self.program.commands.len() == PROGRAM_LENGTH {
                 let span = self.sources[place.file].line_range(place.line);

@@ -90,7 +90,9 @@ impl fmt::Display for Diagnostic {
 
 /// The candidate that is spelled most like `word`, if any is near enough to be what was meant.
 pub(super) fn nearest<'a>(word: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let bound = word.chars().count().div_ceil(3).min(3);
+    // At least one character must be right.
+    let length = word.chars().count();
+    let bound = length.div_ceil(3).min(3).min(length.saturating_sub(1));
     let upper = word.to_uppercase();
     candidates
         .map(|candidate| (strsim::damerau_levenshtein(&upper, &candidate.to_uppercase()), candidate))
@@ -114,6 +116,7 @@ mod tests {
         check("UNAIT", Some("WAIT"));
         check("CALVCA", Some("CALCVA"));
         check("XYZ", None);
+        check("M", None);
         check("", None);
     }
 }
