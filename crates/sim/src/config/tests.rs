@@ -183,3 +183,15 @@ fn the_same_endpoint_is_a_bus() {
     let expected = [("tcp:h:0", vec![0]), ("tcp:h:1", vec![0, 1]), ("tcp:h:0", vec![2]), ("pty:/p", vec![2])];
     assert_eq!(buses, expected.map(|(endpoint, members)| (endpoint.to_string(), members)));
 }
+
+#[test]
+fn the_examples_can_be_read() {
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/bench");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(directory).unwrap() {
+        let path = entry.unwrap().path();
+        Bench::read(&path).unwrap_or_else(|error| panic!("{error}"));
+        names.push(path);
+    }
+    assert!(names.len() >= 3, "{names:?}");
+}

@@ -188,18 +188,14 @@ fn axis_color(axis: usize) -> RGBColor {
     AXIS_COLORS[axis % AXIS_COLORS.len()]
 }
 
-/// The points of a curve: the last one of each bucket, after the extremes that lie outside the way there.
+/// The points of a curve: first and last one of each bucket, and the extremes that lie outside these.
 fn points(curves: &Curves, part: fn(&Motion) -> Option<Extent>, clock: f64, scale: f64) -> Points {
     let mut points: Points = Vec::new();
-    for extent in curves.buckets.iter().filter_map(|(_, motion)| part(motion)) {
-        let (at, last) = extent.last;
-        let before = points.last().map_or(last, |(_, value)| *value / scale);
-        for extreme in [extent.low, extent.high] {
-            if extreme < before.min(last) || extreme > before.max(last) {
-                points.push((at / clock, extreme * scale));
-            }
-        }
-        points.push((at / clock, last * scale));
+    for Extent { first, low, high, last } in curves.buckets.iter().filter_map(|(_, motion)| part(motion)) {
+        let middle = (first.0 + last.0) / 2.0;
+        let extremes = [low, high].into_iter().filter(|extreme| *extreme != first.1 && *extreme != last.1);
+        let places = [first].into_iter().chain(extremes.map(|extreme| (middle, extreme))).chain([last]);
+        points.extend(places.map(|(at, value)| (at / clock, value * scale)));
     }
     points
 }
@@ -219,24 +215,36 @@ fn slopes(curves: &Curves, clock: f64) -> Points {
     points
 }
 
-/// Leaves out what nobody would see: places closer than a fifth of a point to the line before.
+/// Leaves out what nobody would see: places within a fifth of a point of the line that stays.
 fn thinned(places: impl Iterator<Item = Place>) -> Vec<Place> {
     const SEEN: f64 = 0.2;
     let mut kept: Vec<Place> = Vec::new();
     let mut pending: Option<Place> = None;
+    // Slopes of the lines from the last place that pass all places left out since.
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for place in places {
-        let Some(&last) = kept.last() else {
-            kept.push(place);
-            continue;
-        };
-        if let Some(middle) = pending {
-            let share = if place.0 > last.0 { (middle.0 - last.0) / (place.0 - last.0) } else { 0.0 };
-            let straight = last.1 + (place.1 - last.1) * share;
-            if (middle.1 - straight).abs() > SEEN {
-                kept.push(middle);
+        if let (Some(&from), Some(left_out)) = (kept.last(), pending) {
+            let run = place.0 - from.0;
+            let slope = (place.1 - from.1) / run;
+            // Upright lines have no slope and stay.
+            if !(run > 0.0 && low <= slope && slope <= high) {
+                kept.push(left_out);
+                (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
             }
         }
-        pending = Some(place);
+        match kept.last() {
+            None => kept.push(place),
+            Some(from) => {
+                let run = place.0 - from.0;
+                if run > 0.0 {
+                    low = low.max((place.1 - SEEN - from.1) / run);
+                    high = high.min((place.1 + SEEN - from.1) / run);
+                } else {
+                    (low, high) = (f64::INFINITY, f64::NEG_INFINITY);
+                }
+                pending = Some(place);
+            }
+        }
     }
     kept.extend(pending);
     kept
@@ -280,4 +288,28 @@ fn strip(
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::thinned;
+
+    #[test]
+    fn thinning_keeps_the_shape() {
+        let flat = (0..1000).map(|x| (f64::from(x), 5.0));
+        assert_eq!(thinned(flat), [(0.0, 5.0), (999.0, 5.0)]);
+        // A slow bend goes away from a straight line without a sharp corner.
+        let bend = |x: i32| (f64::from(x), f64::from(x * x) / 1e4);
+        let kept = thinned((0..1000).map(bend));
+        assert!(kept.len() < 100, "{}", kept.len());
+        for x in 0..1000 {
+            let (x, y) = bend(x);
+            let after = kept.iter().position(|place| place.0 >= x).unwrap().max(1);
+            let ((x0, y0), (x1, y1)) = (kept[after - 1], kept[after]);
+            let line = y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+            assert!((line - y).abs() < 0.45, "{line} for {y} at {x}");
+        }
+        let step = [(0.0, 0.0), (5.0, 0.0), (5.0, 9.0), (8.0, 9.0)];
+        assert_eq!(thinned(step.into_iter()), step);
+    }
 }

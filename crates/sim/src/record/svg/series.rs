@@ -65,9 +65,10 @@ impl<B: Merge> Buckets<B> {
     }
 }
 
-/// Extremes of a quantity, and its last point.
+/// Extremes of a quantity, and its first and last point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Extent {
+    pub first: (f64, f64),
     pub low: f64,
     pub high: f64,
     pub last: (f64, f64),
@@ -77,8 +78,10 @@ impl Extent {
     fn add(extent: &mut Option<Self>, at: f64, value: f64) {
         let last = (at, value);
         *extent = Some(match *extent {
-            None => Self { low: value, high: value, last },
-            Some(Self { low, high, .. }) => Self { low: low.min(value), high: high.max(value), last },
+            None => Self { first: last, low: value, high: value, last },
+            Some(Self { first, low, high, .. }) => {
+                Self { first, low: low.min(value), high: high.max(value), last }
+            }
         });
     }
 
@@ -86,7 +89,7 @@ impl Extent {
         match (first, later) {
             (Some(first), Some(later)) => {
                 let (low, high) = (first.low.min(later.low), first.high.max(later.high));
-                Some(Self { low, high, last: later.last })
+                Some(Self { first: first.first, low, high, last: later.last })
             }
             (one, other) => other.or(one),
         }
@@ -133,7 +136,6 @@ impl Curves {
     /// Adds a train. It touches each bucket that it lasts through once, so that a long cruise costs no
     /// more than a short one.
     pub fn add(&mut self, train: &Train) {
-        let first = spacing(train, 1);
         let pause = match self.last {
             // One spacing may be longer than the last without a rest between.
             Some((end, spacing)) => train.start.ticks.saturating_sub(end) as f64 > 2.0 * spacing,
@@ -142,6 +144,12 @@ impl Curves {
         if pause {
             self.rest(train.start.ticks);
         }
+        // A train may begin anywhere between the pulse before and its own first one.
+        let first = match self.last {
+            Some((end, _)) => (train.edge(1).saturating_sub(end) as f64).max(1.0),
+            None => spacing(train, 1),
+        };
+        let spacing = |pulse| if pulse == 1 { first } else { spacing(train, pulse) };
         let (start, end) = (train.start.ticks, train.end());
         self.buckets.reach(end);
         let scale = self.buckets.scale;
@@ -151,7 +159,7 @@ impl Curves {
             let count = train.count_until(scale.end(bucket) - 1);
             for pulse in [done + 1, count] {
                 if pulse > done && pulse <= count {
-                    let (edge, spacing) = (train.edge(pulse), spacing(train, pulse));
+                    let (edge, spacing) = (train.edge(pulse), spacing(pulse));
                     let position = self.position + sign * i64::from(pulse);
                     let content = &mut self.buckets.buckets[bucket];
                     Extent::add(&mut content.position, edge as f64, position as f64);
@@ -163,8 +171,7 @@ impl Curves {
             done = count;
         }
         self.position += sign * i64::from(train.count);
-        let last = if train.count > 1 { spacing(train, train.count) } else { first };
-        self.last = Some((end, last));
+        self.last = Some((end, spacing(train.count)));
     }
 
     /// The axis stood still from its last pulse until `until`.
