@@ -65,6 +65,13 @@ impl Encoders {
         self.external.set_reversed(reversed);
     }
 
+    /// Sets both positions to 0 where the encoders stand, before anything moves.
+    pub fn begin(&mut self, board: &mut dyn Board) {
+        if self.raw.is_none() {
+            self.update(board);
+        }
+    }
+
     /// Reads both counters. The first reading is where both positions are 0.
     pub fn update(&mut self, board: &mut dyn Board) {
         let raw = board.encoder(channel::INTERNAL);

@@ -187,6 +187,7 @@ impl<F: Flash> Pd42<F> {
         if self.dead {
             return;
         }
+        self.encoders.begin(board);
         self.run_search();
         self.watch_axis(board);
         self.watch_heartbeats();
