@@ -341,9 +341,12 @@ impl Axis {
             return false;
         }
         let mut speed = self.limits.start.min(top);
-        if let (Some(bend), Goal::Position(target)) = (self.limits.bend(), self.goal) {
+        if let Goal::Position(target) = self.goal {
             let way = i64::from(target.wrapping_sub(self.position)).unsigned_abs();
-            speed = scurve::entry(&self.limits, bend, way);
+            speed = match self.limits.bend() {
+                Some(bend) => scurve::entry(&self.limits, bend, way),
+                None => speed.min(plan::entry(&self.limits, way)),
+            };
         }
         self.direction = direction;
         self.squared = square(speed.max(self.limits.scale.slowest()));

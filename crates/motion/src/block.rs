@@ -1,24 +1,36 @@
 //! From a piece of a speed profile to a train.
 //!
-//! A block is a run of pulses over which the profile changes little. Its duration is exact; inside it the
-//! pulses follow the cubic that has the profile's speed at both ends. With at most 1/32 of the square of
-//! the speed changing over a block, that stays within 0.1 % of the acceleration and far less than a clock.
+//! A block is a run of pulses over which the profile changes little: the cubic with the profile's duration
+//! and its speeds at both ends. With at most 1/64 of the square of the speed changing over a block, it
+//! stays within 0.04 % of the acceleration, a unit of the largest that a register holds.
 
 use crate::speed::{Growth, Scale, Speed, SpeedSquared};
-use crate::train::{Direction, Moment, SubTicks, Train};
+use crate::train::{Direction, FRACTION_BITS, Moment, SubTicks, Train};
 
 /// The longest block of a ramp, so that rounding of the cubic's terms stays below 1/64 clock.
 pub const MAX_BLOCK: u32 = 512;
 
-/// The largest share of v² that changes over a block of more than one pulse, as a power of two.
-const SHARE_BITS: u32 = 5;
+/// The longest block, as a power of two, at about this v².
+///
+/// The cubic term is a whole number of 2⁻³² clocks. Rounding it bends a block the more, the longer the
+/// block and the shorter its spacings: with n² ≤ spacing / 2²⁴, by 0.04 % of the acceleration at most.
+/// And no train lasts too long.
+#[inline]
+pub fn longest(scale: Scale, squared: SpeedSquared) -> u32 {
+    let spacing_bits = scale.bits() + FRACTION_BITS - squared.checked_ilog2().unwrap_or(0) / 2 - 1;
+    let bits = (spacing_bits.saturating_sub(24) / 2).min(61u32.saturating_sub(spacing_bits));
+    MAX_BLOCK.min(1 << bits)
+}
 
-/// Largest power of two of pulses, up to [`MAX_BLOCK`], over which v² changes by at most 1/32, seen from
+/// The largest share of v² that changes over a block of more than one pulse, as a power of two.
+pub const SHARE_BITS: u32 = 6;
+
+/// Largest power of two of pulses, up to [`MAX_BLOCK`], over which v² changes by at most 1/64, seen from
 /// its smaller end.
 #[inline]
 pub fn block_length(slow_end: SpeedSquared, growth: Growth) -> u32 {
     let mut length = MAX_BLOCK;
-    // growth·length ≤ v²/32, found from the logarithms first.
+    // growth·length ≤ v²/64, found from the logarithms first.
     let room = (slow_end >> SHARE_BITS).checked_ilog2().unwrap_or(0);
     let need = growth.ilog2();
     if room < need {
@@ -37,10 +49,17 @@ pub fn cubic(start: Moment, direction: Direction, count: u32, [first, mean, last
     debug_assert!(count.is_power_of_two());
     let bits = count.trailing_zeros();
     let (first, mean, last) = (first as i64, mean as i64, last as i64);
-    // T(n) = first·n + c2·n² + c3·n³ with T(count) = count·mean and T'(count) = last.
-    let c2 = (3 * (mean - first) - (last - first)) >> bits;
-    let c3 = ((first - mean) + (last - mean)) >> (2 * bits);
+    // T(n) = first·n + c2·n² + c3·n³ with T(count) = count·mean and T'(count) = last. The last spacing
+    // takes precedence over the duration in rounding: a step of it would be a kick, the duration is off
+    // by less than 1/64 clock.
+    let c3 = rounded((first - mean) + (last - mean), 2 * bits);
+    let c2 = rounded((last - first) - ((3 * c3) << (2 * bits)), bits + 1);
     Train { start, interval: (first + c2 + c3) as u64, add: 2 * c2 + 6 * c3, jerk: 6 * c3, count, direction }
+}
+
+/// Divides by a power of two, to the nearest.
+const fn rounded(value: i64, bits: u32) -> i64 {
+    (value + ((1 << bits) >> 1)) >> bits
 }
 
 /// A block of constant acceleration between two squared speeds.

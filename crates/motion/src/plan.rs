@@ -5,7 +5,7 @@
 //! it the target cannot be held and the axis brakes, to come back from the other side. All of it in v²
 //! against pulses, where the ceiling of a trapezoid is a straight line.
 
-use crate::block::block_length;
+use crate::block::{MAX_BLOCK, SHARE_BITS, block_length, longest};
 use crate::speed::{Growth, MAX_GROWTH, MAX_SPEED, Scale, Speed, SpeedSquared, root, square};
 use crate::train::SubTicks;
 
@@ -76,9 +76,9 @@ impl Limits {
         }
     }
 
-    /// Speed a pulse that the soft approach takes away.
-    fn decay(&self) -> u64 {
-        (self.growth / (2 * u64::from(self.top))).max(1)
+    /// Speed a pulse, in 2⁻³², that the soft approach takes away; all of it within one at the most.
+    fn decay(&self) -> u128 {
+        ((u128::from(self.growth) << 31) / u128::from(self.top)).clamp(1, 1 << 63)
     }
 
     /// The ceiling of v² over a distance in 2⁻³² pulses.
@@ -91,8 +91,14 @@ impl Limits {
                 square(self.stop).saturating_add(u64::try_from(rise).unwrap_or(u64::MAX))
             }
             Shape::Soft => {
-                let speed = (u128::from(self.decay()) * u128::from(distance)) >> 32;
-                u32::try_from(speed).map_or(u64::MAX, square).max(square(self.stop))
+                // The decay from the top speed takes the whole acceleration; above it, the parabola that
+                // goes on from there.
+                let decay = self.decay();
+                let bend = u64::try_from((u128::from(self.top) << 64) / decay).unwrap_or(u64::MAX);
+                let near = distance.min(bend);
+                let decayed = square(((decay * u128::from(near)) >> 64) as Speed);
+                let rise = (u128::from(self.growth) * u128::from(distance - near)) >> 32;
+                decayed.saturating_add(u64::try_from(rise).unwrap_or(u64::MAX)).max(square(self.stop))
             }
         }
     }
@@ -104,13 +110,15 @@ impl Limits {
                 top.saturating_sub(square(self.stop)).div_ceil(self.growth)
             }
             Shape::Soft if top <= square(self.stop) => 0,
-            Shape::Soft => u64::from(root(top)).div_ceil(self.decay()),
+            Shape::Soft => {
+                u64::try_from((u128::from(root(top)) << 32).div_ceil(self.decay())).unwrap_or(u64::MAX)
+            }
         }
     }
 
     /// Rounding of v² that is not worth a reaction: far below a quantum of acceleration.
     fn slack(&self, squared: SpeedSquared) -> u64 {
-        (self.growth >> 10) + 8 * u64::from(root(squared))
+        (self.growth >> 12) + 8 * u64::from(root(squared))
     }
 }
 
@@ -173,6 +181,12 @@ pub(crate) struct Now {
     pub rest: u64,
 }
 
+/// The greatest speed with which a motion over so many pulses may begin: faster, it would not stop at its
+/// target, nor on the way back.
+pub(crate) fn entry(limits: &Limits, pulses: u64) -> Speed {
+    root(limits.ceiling(Distance::Pulses(pulses << 32))).min(MAX_SPEED)
+}
+
 /// The next piece on the way to a target `pulses` ahead, the started one included, or `None` if the axis
 /// is too fast to stop there.
 pub(crate) fn toward(limits: &Limits, now: Now, pulses: u64) -> Option<Piece> {
@@ -218,8 +232,8 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
         let whole = if on_ceiling && squared > square(limits.stop) {
             slow_down(limits, squared, pulses, distance)
         } else if squared < top {
-            let longest = block_length(squared, growth);
-            shorten(longest, pulses, |count| {
+            let most = block_length(squared, growth).min(longest(limits.scale, squared));
+            shorten(most, pulses, |count| {
                 let to = squared + growth * u64::from(count);
                 (to <= top && to <= limits.ceiling(distance.less(count.into()))).then_some(to)
             })
@@ -227,8 +241,8 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
         } else if squared == top {
             cruise(limits, top, pulses)
         } else {
-            let longest = block_length(squared - (squared >> 4), growth);
-            shorten(longest, pulses, |count| {
+            let most = block_length(squared - (squared >> 4), growth).min(longest(limits.scale, squared));
+            shorten(most, pulses, |count| {
                 let to = squared.checked_sub(growth * u64::from(count))?;
                 (to >= top && to <= limits.ceiling(distance.less(count.into()))).then_some(to)
             })
@@ -253,15 +267,16 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
 
 /// Along the ceiling.
 fn slow_down(limits: &Limits, squared: SpeedSquared, pulses: u64, distance: Distance) -> Option<Piece> {
-    let (longest, kind) = match limits.shape {
+    let (most, kind) = match limits.shape {
         Shape::Trapezoid | Shape::SCurve { .. } => {
             (block_length(squared - (squared >> 4), limits.growth), Kind::Ramp)
         }
-        Shape::Soft => (crate::block::MAX_BLOCK, Kind::Glide),
+        Shape::Soft => (MAX_BLOCK, Kind::Glide),
     };
-    let (count, end) = shorten(longest, pulses, |count| {
+    let most = most.min(longest(limits.scale, squared));
+    let (count, end) = shorten(most, pulses, |count| {
         let to = limits.ceiling(distance.less(count.into()));
-        (to < squared && squared - to <= to >> 5).then_some(to)
+        (to < squared && squared - to <= to >> SHARE_BITS).then_some(to)
     })?;
     Some(Piece { count, end, kind })
 }
