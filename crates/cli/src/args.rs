@@ -21,6 +21,12 @@ pub enum Command {
     Serve(ServeArgs),
     /// Run a program in virtual time
     Run(RunArgs),
+    /// Assemble a TMCL program
+    Asm(AsmArgs),
+    /// Print a TMCL program as assembly language
+    Disasm(DisasmArgs),
+    /// Look for mistakes in a program
+    Check(CheckArgs),
     /// Print a shell's completions
     Completions {
         /// The shell
@@ -82,6 +88,41 @@ pub struct RunArgs {
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `asm`.
+#[derive(Group)]
+pub struct AsmArgs {
+    /// The source
+    #[arg(value_name = "IN.tmc")]
+    pub input: PathBuf,
+    /// The machine code
+    #[arg(short, long, value_name = "OUT.bin", required_unless_present_any = ["symbols", "list"])]
+    pub output: Option<PathBuf>,
+    /// Write the symbols with their values, one a line
+    #[arg(long, value_name = "FILE")]
+    pub symbols: Option<PathBuf>,
+    /// Print every command with its address and bytes
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// Arguments of `disasm`.
+#[derive(Group)]
+pub struct DisasmArgs {
+    /// The machine code
+    #[arg(value_name = "IN.bin")]
+    pub input: PathBuf,
+}
+
+/// Arguments of `check`.
+#[derive(Group)]
+pub struct CheckArgs {
+    /// The program: source (.tmc) or machine code (.bin)
+    pub file: PathBuf,
+    /// The controller that is to run it
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: &'static Model,
 }
 
 /// `MODEL[=NAME]@ENDPOINT`

@@ -4,6 +4,7 @@
 //! arguments or of a file is one line there, `error: ...`, and status 1.
 
 mod args;
+mod module;
 mod programs;
 mod run;
 mod serve;
@@ -51,6 +52,9 @@ fn execute(command: Command) -> Outcome {
     match command {
         Command::Serve(args) => serve::serve(args),
         Command::Run(args) => run::run(args),
+        Command::Asm(args) => programs::asm(&args),
+        Command::Disasm(args) => programs::disasm(&args),
+        Command::Check(args) => programs::check(&args),
         Command::Completions { shell } => {
             clap_complete::generate(shell, &mut Args::command(), "pulsetrain", &mut std::io::stdout());
             Ok(())

@@ -50,11 +50,7 @@ pub fn run(args: RunArgs) -> Outcome {
     let result = result.map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
     device.finish_recordings()?;
 
-    if args.json {
-        println!("{}", serde_json::to_string(&result)?);
-    } else {
-        print!("{}", report(&result));
-    }
+    programs::show(&if args.json { serde_json::to_string(&result)? + "\n" } else { report(&result) })?;
     if result.stop_reason == StopReason::Error {
         let counter = device.program(0).map_or(0, |program| program.counter);
         eprintln!("error: {}: the program went into its error state at {counter}", args.program.display());
