@@ -133,15 +133,28 @@ fn the_host_and_a_program_share_variables() {
 }
 
 #[test]
-fn a_command_for_hosts_ends_a_program() {
+fn a_program_ends_at_an_empty_word() {
     let mut rig = Rig::new();
     rig.ok(132, 0, 0, 0);
-    // 136 would be taken as a control command while downloading: 138 too. 255 resets.
     rig.send(9, 0, 2, 1);
     rig.ok(133, 0, 0, 0);
     rig.ok(129, 1, 0, 0);
     rig.pass_ms(1);
-    assert_eq!((rig.ggp(0, 2), rig.ggp(128, 0)), (1, 0), "and so does the end of the program");
+    assert_eq!((rig.ggp(0, 2), rig.ggp(128, 0)), (1, 0));
+}
+
+#[test]
+fn a_wait_for_another_motor_is_passed_over() {
+    let mut rig = Rig::new();
+    start(&mut rig, "WAIT POS, 1, 0\nSGP 0, 2, 1\nSTOP");
+    rig.pass_ms(1);
+    assert_eq!(rig.ggp(0, 2), 1);
+    // Ticks have no motor.
+    start(&mut rig, "WAIT TICKS, 3, 10\nSGP 0, 2, 2\nSTOP");
+    rig.pass_ms(50);
+    assert_eq!(rig.ggp(0, 2), 1);
+    rig.pass_ms(60);
+    assert_eq!(rig.ggp(0, 2), 2);
 }
 
 #[test]
