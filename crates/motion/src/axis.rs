@@ -394,20 +394,14 @@ impl Axis {
         }
     }
 
-    fn leg_of(&mut self, piece: Piece) -> Leg {
+    fn leg_of(&self, piece: Piece) -> Leg {
         let Piece { count, end, kind } = piece;
         let scale = self.limits.scale;
         let ends = [root(self.squared), root(end)];
         let train = match kind {
             Kind::Cruise => Train { interval: scale.spacing(ends[0]), count, ..self.still() },
             Kind::Glide => block::glide(scale, self.since, self.direction, count, ends),
-            Kind::Curve(duration) => {
-                let train = block::curve(scale, self.since, self.direction, count, ends, duration);
-                if let Some(course) = &mut self.course {
-                    course.carry(duration.wrapping_sub(train.offset(count)) as i64);
-                }
-                train
-            }
+            Kind::Curve(duration) => block::curve(scale, self.since, self.direction, count, ends, duration),
             Kind::Ramp => {
                 let whole = block::ramp(scale, self.since, self.direction, count, ends);
                 if self.rest == WHOLE {

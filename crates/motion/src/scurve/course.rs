@@ -1,7 +1,7 @@
 //! A motion of two curves with a cruise between them.
 
 use super::curve::{Curve, FINE_BITS, Fine, Way, divide};
-use crate::block::block_length;
+use crate::block::{MAX_BLOCK, SHARE_BITS, block_length, longest};
 use crate::plan::{Kind, Limits, Now, Piece, Wish, longest_cruise};
 use crate::speed::{Speed, root, square};
 use crate::train::{FRACTION_BITS, SubTicks};
@@ -25,10 +25,10 @@ pub(crate) struct Course {
     end: Way,
     /// Where the next pulse is.
     next: Way,
-    /// The place of the pulse before it.
+    /// The end of the piece on its way, which the next one begins with.
     here: Place,
-    /// What the last train was too short.
-    carry: i64,
+    /// A guess at the length of the next block.
+    block: u32,
 }
 
 /// A place on a course: how much of each part lies behind it.
@@ -103,7 +103,7 @@ impl Course {
             end,
             next: Way::from(now.rest),
             here: Place { way: 0, lead: 0, cruised: 0, tail: 0, speed: from },
-            carry: 0,
+            block: block_length(now.squared, limits.growth),
         }
     }
 
@@ -134,11 +134,6 @@ impl Course {
         self.place(self.ahead(pulse)).speed
     }
 
-    /// The last train should have taken this longer.
-    pub(crate) fn carry(&mut self, span: i64) {
-        self.carry = span;
-    }
-
     /// The next piece; `None` at the end.
     pub(crate) fn piece(&mut self, rest: u64) -> Option<Piece> {
         if self.next > self.end {
@@ -148,31 +143,46 @@ impl Course {
         let whole = rest == 1 << FRACTION_BITS;
         let pulses_until = |way: Way| ((way - from) >> FRACTION_BITS).min(u32::MAX.into()) as u32;
         let [climbed, slowing] = [self.lead.way(), self.end - self.tail.way()];
-        let count = if !whole {
+        let room = if !whole {
             1
         } else if from < climbed {
-            pulses_until(climbed).min(self.longest(from, self.falls))
+            pulses_until(climbed)
         } else if from + (1 << FRACTION_BITS) <= slowing {
             let count = pulses_until(slowing).min(longest_cruise(self.limits.scale, self.cruise));
+            self.block = MAX_BLOCK;
             return Some(Piece { count, end: square(self.cruise), kind: Kind::Cruise });
         } else if from >= slowing {
-            pulses_until(self.end).min(self.longest(from, true))
+            pulses_until(self.end)
         } else {
             1
         };
-        let count = if count < 2 { 1 } else { 1 << count.ilog2() };
         let start = self.place(from);
-        let end = self.place(self.ahead(count));
+        let (count, end) = self.block(&start, room);
         self.here = end;
-        let duration = self.between(&start, &end).saturating_add_signed(core::mem::take(&mut self.carry));
-        Some(Piece { count, end: square(end.speed), kind: Kind::Curve(duration.max(1)) })
+        let duration = self.between(&start, &end).max(1);
+        Some(Piece { count, end: square(end.speed), kind: Kind::Curve(duration) })
     }
 
-    /// The longest block from here.
-    fn longest(&self, from: Way, falls: bool) -> u32 {
-        let squared = square(self.place(from).speed);
-        let slow_end = if falls { squared - (squared >> 4) } else { squared };
-        block_length(slow_end, self.limits.growth).min(longest_cruise(self.limits.scale, root(slow_end)))
+    /// A block from here with its end, and a guess at the length of the one after it.
+    fn block(&mut self, start: &Place, room: u32) -> (u32, Place) {
+        let curve = if start.way < self.lead.way() { self.lead } else { self.tail };
+        let squared = square(start.speed);
+        let most = room.min(longest(self.limits.scale, squared)).min(self.block);
+        let mut count = if most < 2 { 1 } else { 1 << most.ilog2() };
+        loop {
+            let end = self.place(self.ahead(count));
+            let reached = square(end.speed);
+            let slowest = start.speed.min(end.speed);
+            // Near the end of a bend the acceleration itself changes much over a block.
+            let bent = curve.bent_at(start.speed).max(curve.bent_at(end.speed));
+            let share = if bent < slowest / 8 { SHARE_BITS + 3 } else { SHARE_BITS };
+            let [change, limit] = [reached.abs_diff(squared), square(slowest) >> share];
+            if count == 1 || change <= limit && count <= longest_cruise(self.limits.scale, slowest) {
+                self.block = if change <= limit / 2 { (2 * count).min(MAX_BLOCK) } else { count };
+                return (count, end);
+            }
+            count /= 2;
+        }
     }
 
     fn ahead(&self, pulse: u32) -> Way {

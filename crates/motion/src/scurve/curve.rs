@@ -94,6 +94,11 @@ impl Curve {
         [self.low + bend, self.high - bend]
     }
 
+    /// How far a speed is from the nearer end of the curve.
+    pub fn bent_at(&self, speed: Speed) -> Speed {
+        speed.saturating_sub(self.low).min(self.high.saturating_sub(speed))
+    }
+
     /// The way that a mean speed makes in a time.
     #[inline]
     fn along(&self, time: Fine, mean: u128) -> Way {

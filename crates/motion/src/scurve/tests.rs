@@ -140,17 +140,18 @@ fn run(ramp: Ramp, target: i32) -> Vec<f64> {
     pulses.into_iter().map(|(clock, _)| clock - 1.0).collect()
 }
 
-/// Every pulse against the laws of motion.
+/// Every pulse against the laws of motion, to half a clock and 10⁻⁵ of a spacing.
 fn check_full(ramp: Ramp, target: i32) {
     let pulses = run(ramp, target);
     let distance = f64::from(target.unsigned_abs());
     assert!(ramp.way(ramp.start, ramp.top) + ramp.way(ramp.top, ramp.stop) <= distance, "reaches its top");
-    let mut worst = 0f64;
+    let mut before = 0.0;
     for (k, clock) in (1..).zip(&pulses) {
         let expected = ramp.pulse(distance, ramp.top, f64::from(k)) * CLOCK_HZ;
-        worst = worst.max((clock - expected).abs());
+        let slack = 0.5 + (clock - before) * 1e-5;
+        assert!((clock - expected).abs() < slack, "{ramp:?} to {target}, pulse {k}: {clock} for {expected}");
+        before = *clock;
     }
-    assert!(worst < 0.5, "{ramp:?} to {target}: off by {worst} clocks");
     // With a pulse every few clocks, 2⁻³² clock in a train's jerk is no longer small. The edges do not show it:
     // they are a clock wide.
     if ramp.top < CLOCK_HZ / 100.0 {
@@ -186,9 +187,9 @@ fn accelerations(clocks: &[f64]) -> Vec<[f64; 2]> {
 }
 
 /// No acceleration above the peak, and between any two pulses no more change of it than the jerk
-/// makes; both but for 0.4 % of the peak, which the cubics of the blocks take.
+/// makes; both but for half a percent of the peak, which the cubics of the blocks take.
 fn check_smooth(ramp: Ramp, clocks: &[f64]) {
-    let slack = ramp.acceleration * 0.004;
+    let slack = ramp.acceleration * 0.005;
     let mut bounds = [f64::INFINITY; 2];
     for [time, acceleration] in accelerations(clocks) {
         assert!(
@@ -353,6 +354,69 @@ fn what_does_not_concern_a_course_does_not_disturb_it() {
         let (mut axis, mut pulses) = play(SMOOTH, &[(0.0, &go), (seconds, &block), (seconds, &slow)]);
         pulses.extend(finish(&mut axis));
         assert_eq!(pulses, undisturbed, "after {seconds}");
+    }
+}
+
+#[test]
+fn a_new_top_speed_counts_from_the_cruise_on() {
+    let go = |axis: &mut Axis| axis.set_goal(Goal::Position(12_000));
+    for top in [4000.0, 9900.0, 10_000.0] {
+        let slow = |axis: &mut Axis| {
+            axis.set_limits(Limits { top: (top * SMOOTH.unit()) as Speed, ..axis.limits() });
+        };
+        let (mut axis, mut pulses) = play(SMOOTH, &[(0.0, &go), (0.6, &slow), (1.0, &|_| ())]);
+        assert_eq!((f64::from(axis.speed()) / SMOOTH.unit()).round(), top);
+        pulses.extend(finish(&mut axis));
+        assert_eq!(pulses.len(), 12_000);
+        check_continuous(SMOOTH, &pulses);
+    }
+}
+
+/// A small generator of numbers that look random.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) % end
+    }
+
+    fn deed(&mut self, axis: &mut Axis) {
+        let direction = if self.below(2) == 0 { Direction::Negative } else { Direction::Positive };
+        let speed = (self.below(10_000) as f64 * SMOOTH.unit()) as Speed;
+        match self.below(6) {
+            0 | 1 => axis.set_goal(Goal::Position(self.below(10_000) as i32 - 5000)),
+            2 => axis.set_goal(Goal::Speed(direction, speed)),
+            3 => axis.set_limits(Limits { top: speed, ..axis.limits() }),
+            4 => axis.set_position(self.below(10_000) as i32 - 5000),
+            _ => axis.set_blocked(direction, (self.below(2) == 0).then_some(Stop::Soft)),
+        }
+    }
+}
+
+#[test]
+fn whatever_happens_the_speed_is_continuous_and_the_target_is_met() {
+    for seed in 0..300 {
+        let mut dice = Dice(seed);
+        let mut axis = Axis::new(SMOOTH.limits());
+        let mut pulses = Vec::new();
+        let mut clock = 0;
+        for _ in 0..12 {
+            dice.deed(&mut axis);
+            clock += dice.below(CLOCK_HZ as u64 / 3);
+            while let Some(wake) = axis.wake().filter(|&wake| wake <= clock) {
+                axis.advance(wake, |train| collect(train, &mut pulses));
+            }
+            axis.advance(clock, |train| collect(train, &mut pulses));
+        }
+        axis.set_limits(SMOOTH.limits());
+        axis.set_blocked(Direction::Negative, None);
+        axis.set_blocked(Direction::Positive, None);
+        let target = dice.below(10_000) as i32 - 5000;
+        axis.set_goal(Goal::Position(target));
+        pulses.extend(finish(&mut axis));
+        assert_eq!((axis.position(), axis.is_moving()), (target, false), "seed {seed}");
+        check_continuous(SMOOTH, &pulses);
     }
 }
 
