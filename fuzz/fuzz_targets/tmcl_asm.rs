@@ -1,0 +1,29 @@
+//! Any bytes as a source, with any bytes as its include file: no panic, every message has a place, and a
+//! program that comes out survives the disassembler.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use tmcl::asm::{Environment, Include, NoFiles, assemble};
+use tmcl::disasm;
+
+struct OneFile<'a>(&'a [u8]);
+
+impl Environment for OneFile<'_> {
+    fn include(&self, name: &str, _: &str) -> Option<Include> {
+        Some(Include { name: name.to_owned(), text: self.0.to_vec() })
+    }
+}
+
+fuzz_target!(|sources: (&[u8], &[u8])| {
+    let (source, include) = sources;
+    let assembly = assemble("fuzz.tmc", source, &OneFile(include));
+    for diagnostic in &assembly.diagnostics {
+        assert!(diagnostic.line > 0 && diagnostic.column > 0 && diagnostic.end_column >= diagnostic.column);
+    }
+    assembly.render(false);
+    if let Some(program) = assembly.program {
+        assert_eq!(program.commands.len(), program.map.len());
+        let again = assemble("again.tmc", disasm::disassemble(&program.commands).as_bytes(), &NoFiles);
+        assert_eq!(again.program.map(|again| again.commands), Some(program.commands));
+    }
+});
