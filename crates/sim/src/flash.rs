@@ -46,7 +46,8 @@ pub struct SharedFlash(Arc<Mutex<Memory>>);
 #[derive(Debug)]
 struct Memory {
     bytes: Vec<u8>,
-    now_us: u64,
+    now: Ticks,
+    clock_hz: u32,
     unfinished: VecDeque<Unfinished>,
     log: VecDeque<Operation>,
     operations: u64,
@@ -58,8 +59,8 @@ struct Memory {
 /// An operation that is still running, with what it overwrites.
 #[derive(Debug)]
 struct Unfinished {
-    starts_us: u64,
-    ends_us: u64,
+    starts: Ticks,
+    ends: Ticks,
     offset: u32,
     before: Vec<u8>,
 }
@@ -82,7 +83,8 @@ impl SharedFlash {
         assert!(u32::try_from(bytes.len()).is_ok(), "a flash has 32-bit addresses");
         Self(Arc::new(Mutex::new(Memory {
             bytes,
-            now_us: 0,
+            now: 0,
+            clock_hz: 1_000_000,
             unfinished: VecDeque::new(),
             log: VecDeque::new(),
             operations: 0,
@@ -147,14 +149,14 @@ impl SharedFlash {
     /// running is torn.
     pub fn cut_now(&self) {
         let mut memory = self.memory();
-        let now = memory.now_us;
+        let now = memory.now;
         while let Some(operation) = memory.unfinished.pop_back() {
             let words = operation.before.len() / WORD_BYTES as usize;
-            let done = if operation.ends_us <= now {
+            let done = if operation.ends <= now {
                 words
-            } else if operation.starts_us < now {
-                let share = u128::from(now - operation.starts_us) * words as u128;
-                (share / u128::from(operation.ends_us - operation.starts_us)) as usize
+            } else if operation.starts < now {
+                let share = u128::from(now - operation.starts) * words as u128;
+                (share / u128::from(operation.ends - operation.starts)) as usize
             } else {
                 0
             };
@@ -174,9 +176,8 @@ impl SharedFlash {
     /// The time goes on to `now`, so that operations finish.
     pub(crate) fn set_time(&self, now: Ticks, clock_hz: u32) {
         let mut memory = self.memory();
-        memory.now_us = (u128::from(now) * 1_000_000 / u128::from(clock_hz)) as u64;
-        let now = memory.now_us;
-        while memory.unfinished.front().is_some_and(|operation| operation.ends_us <= now) {
+        (memory.now, memory.clock_hz) = (now, clock_hz);
+        while memory.unfinished.front().is_some_and(|operation| operation.ends <= now) {
             memory.unfinished.pop_front();
         }
     }
@@ -218,12 +219,13 @@ impl Memory {
     }
 
     fn keep_for_undo(&mut self, range: Range<usize>, takes_us: u64) {
-        let starts_us = self.unfinished.back().map_or(self.now_us, |last| last.ends_us.max(self.now_us));
+        let starts = self.unfinished.back().map_or(self.now, |last| last.ends.max(self.now));
+        let takes = takes_us * u64::from(self.clock_hz) / 1_000_000;
         if self.unfinished.len() == MAX_UNFINISHED {
             self.unfinished.pop_front();
         }
         let (offset, before) = (range.start as u32, self.bytes[range].to_vec());
-        self.unfinished.push_back(Unfinished { starts_us, ends_us: starts_us + takes_us, offset, before });
+        self.unfinished.push_back(Unfinished { starts, ends: starts + takes, offset, before });
     }
 }
 

@@ -61,6 +61,8 @@ pub struct VirtualDevice {
     schedule: Schedule,
     /// The level of each input as the controller knows it.
     told: Vec<i32>,
+    /// The inputs that were watched when the windows were reckoned.
+    watched: u64,
     /// Where each pin's shaft was then.
     places: Vec<i64>,
     movements: Vec<Movement>,
@@ -92,6 +94,7 @@ impl VirtualDevice {
             schedule: Schedule::default(),
             told: Vec::new(),
             places: Vec::new(),
+            watched: 0,
             movements: Vec::new(),
             controller,
         };
@@ -421,7 +424,12 @@ impl VirtualDevice {
             rounds += 1;
             assert!(rounds < MAX_SETTLING, "the inputs of {} do not settle", self.config.name);
         }
+        let watched = self.world.watched(self.controller.as_ref());
+        let changed = std::mem::replace(&mut self.watched, watched) != watched;
         for axis in 0..self.world.windows.len() {
+            if !changed && !self.world.is_window_stale(axis) {
+                continue;
+            }
             let window = self.world.window(axis, self.controller.as_ref());
             if self.world.windows[axis] != Some(window) {
                 self.world.windows[axis] = Some(window);

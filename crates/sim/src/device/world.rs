@@ -52,6 +52,7 @@ pub(super) struct World {
 
 impl World {
     pub fn new(config: &DeviceConfig, axes: &[&str], pins: &'static [Pin]) -> Self {
+        assert!(pins.len() <= 64, "watched pins are bits of a word");
         Self {
             machine: Machine::new(config, axes, pins),
             pins,
@@ -111,6 +112,21 @@ impl World {
         !self.is_free(pin) || recorded || controller.watches(pin)
     }
 
+    /// Whether the window of an axis has to be reckoned again: what it was reckoned from is another now,
+    /// or the axis has arrived at its edge.
+    pub fn is_window_stale(&self, axis: usize) -> bool {
+        self.windows[axis].is_none_or(|(low, high)| {
+            let odometer = self.machine.odometer(axis);
+            odometer <= low || high <= odometer
+        })
+    }
+
+    /// The inputs that are watched, as bits.
+    pub fn watched(&self, controller: &dyn Controller) -> u64 {
+        let pins = (0..self.pins.len()).filter(|pin| self.watches(*pin, controller));
+        pins.fold(0, |pins, pin| pins | 1 << pin)
+    }
+
     /// How far an axis can go before an input changes that is watched. A pin that is driven by hand does
     /// not care where the shaft is.
     pub fn window(&mut self, axis: usize, controller: &dyn Controller) -> (i64, i64) {
@@ -131,6 +147,7 @@ impl World {
     pub fn drive_input(&mut self, pin: usize, level: Option<i32>) {
         self.driven[pin] = level;
         self.stirred = true;
+        self.windows.fill(None);
     }
 
     pub fn add_recorder(&mut self, mut recorder: Box<dyn Recorder + Send>) {
