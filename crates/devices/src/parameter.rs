@@ -177,6 +177,13 @@ mod tests {
     }
 
     #[test]
+    fn values_begin_with_the_defaults() {
+        let mut values = Values::<COUNT>::new(TABLE);
+        values.set(ALL, -3);
+        assert_eq!((values.get(LOW), values.get(ALL)), (0, -3));
+    }
+
+    #[test]
     fn ranges() {
         let (place, low) = Parameter::find(TABLE, LOW).unwrap();
         assert_eq!(place, 0);
