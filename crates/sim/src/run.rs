@@ -6,11 +6,13 @@ mod tests;
 use crate::device::{AxisView, PinError, TimedInput, VirtualDevice};
 use devices::{Port, ProgramRun};
 use motion::Ticks;
+use protocol::tmcl::{Frame, Reply, Request, Status};
 use serde::{Serialize, Serializer};
 use std::{collections::BTreeMap, time::Instant};
-
-/// Bytes of one record of a TMCL program: opcode, type, motor, value (4, MSB first), sum of those 7.
-pub const RECORD_BYTES: usize = 8;
+use tmcl::{
+    image::{ImageError, from_bytes},
+    isa::Command,
+};
 
 /// How long a run without a time limit waits, after the program has ended, for the axes to stand.
 pub const MAX_COAST_SECONDS: u64 = 60;
@@ -102,12 +104,9 @@ pub struct Progress {
 /// Why a program cannot be run.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RunError {
-    /// The program does not consist of whole records.
-    #[error("the program has {0} bytes, which is no multiple of {RECORD_BYTES}")]
-    Length(usize),
-    /// A record's sum is wrong.
-    #[error("record {0} of the program has a wrong checksum")]
-    Checksum(usize),
+    /// The bytes are no program file.
+    #[error(transparent)]
+    Image(#[from] ImageError),
     /// The device did not take a command of the download.
     #[error("the device answers status {status} to command {command} of the download")]
     Refused {
@@ -144,7 +143,7 @@ pub fn run(
         device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
     }
     let instructions = instructions(device);
-    command(device, 0, [RUN, 0, 0], 0, STATUS_OK)?;
+    command(device, 0, control(RUN), Status::OK)?;
 
     let limit = options.for_seconds.map(|seconds| start.saturating_add(device.ticks(seconds)));
     let end = limit.unwrap_or(Ticks::MAX);
@@ -192,53 +191,46 @@ fn instructions(device: &VirtualDevice) -> u64 {
     device.programs().map(|program| program.instructions).sum()
 }
 
-const RUN: u8 = 129;
+// Commands of a host that control the program memory (manual, section 3.4).
 const STOP: u8 = 128;
+const RUN: u8 = 129;
 const ENTER_DOWNLOAD: u8 = 132;
 const EXIT_DOWNLOAD: u8 = 133;
-const STATUS_OK: u8 = 100;
-const STATUS_STORED: u8 = 101;
+
+const fn control(opcode: u8) -> Command {
+    Command { opcode, kind: 0, motor: 0, value: 0 }
+}
 
 /// Downloads a TMCL program over the wire, as a host does.
 ///
 /// # Errors
 /// [`RunError`].
 pub fn load(device: &mut VirtualDevice, program: &[u8]) -> Result<(), RunError> {
-    let (records, rest) = program.as_chunks::<RECORD_BYTES>();
-    if !rest.is_empty() {
-        return Err(RunError::Length(program.len()));
+    let commands = from_bytes(program)?;
+    command(device, 0, control(STOP), Status::OK)?;
+    command(device, 0, control(ENTER_DOWNLOAD), Status::OK)?;
+    for (number, stored) in commands.iter().enumerate() {
+        command(device, number, *stored, Status::LOADED)?;
     }
-    command(device, 0, [STOP, 0, 0], 0, STATUS_OK)?;
-    command(device, 0, [ENTER_DOWNLOAD, 0, 0], 0, STATUS_OK)?;
-    for (number, record) in records.iter().enumerate() {
-        let [opcode, kind, motor, v3, v2, v1, v0, sum] = *record;
-        if record[..7].iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte)) != sum {
-            return Err(RunError::Checksum(number));
-        }
-        command(device, number, [opcode, kind, motor], i32::from_be_bytes([v3, v2, v1, v0]), STATUS_STORED)?;
-    }
-    command(device, records.len(), [EXIT_DOWNLOAD, 0, 0], 0, STATUS_OK)
+    command(device, commands.len(), control(EXIT_DOWNLOAD), Status::OK)
 }
 
 /// Sends one command over USB, where any address will do, and looks at the answer.
 fn command(
     device: &mut VirtualDevice,
     number: usize,
-    head: [u8; 3],
-    value: i32,
-    expected: u8,
+    command: Command,
+    expected: Status,
 ) -> Result<(), RunError> {
-    let mut frame = [0; 9];
-    frame[0] = 1;
-    frame[1..4].copy_from_slice(&head);
-    frame[4..8].copy_from_slice(&value.to_be_bytes());
-    frame[8] = frame[..8].iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte));
+    let Command { opcode, kind, motor, value } = command;
+    let request = Request { address: 1, opcode, kind, motor, value };
     device.drain_sent().for_each(drop);
-    device.receive(Port::Usb, &frame);
+    device.receive(Port::Usb, &request.emit().0);
     let answer = device.drain_sent().find(|sent| sent.port == Port::Usb);
-    match answer.as_ref().and_then(|sent| sent.bytes.get(2)) {
+    let reply = answer.and_then(|sent| Reply::parse(&Frame(sent.bytes.try_into().ok()?)).ok());
+    match reply {
         None => Err(RunError::Silent(number)),
-        Some(status) if *status == expected => Ok(()),
-        Some(status) => Err(RunError::Refused { command: number, status: *status }),
+        Some(reply) if reply.status == expected => Ok(()),
+        Some(reply) => Err(RunError::Refused { command: number, status: reply.status.0 }),
     }
 }

@@ -97,12 +97,18 @@ fn programs_that_cannot_be_loaded() {
     let check = |program: &[u8], expected| {
         assert_eq!(run(&mut device(), program, &RunOptions::default(), |_| ()), Err(expected));
     };
-    check(&[0; 9], RunError::Length(9));
+    check(&[0; 9], ImageError::Length(9).into());
     let mut wrong = there_and_back();
     wrong[15] ^= 1;
-    check(&wrong, RunError::Checksum(1));
-    let long = program(&vec![(SAP, 4, 0, 100); 2049]);
-    check(&long, RunError::Refused { command: 2048, status: 4 });
+    let (expected, received) = (wrong[15] ^ 1, wrong[15]);
+    check(&wrong, ImageError::Checksum { record: 1, received, expected }.into());
+    check(&program(&vec![(SAP, 4, 0, 100); 2049]), ImageError::TooLong(2049).into());
+    // The module protects its memory when global parameter 81 is 2.
+    let mut module = device();
+    let protect = Command { opcode: 9, kind: 81, motor: 0, value: 2 };
+    command(&mut module, 0, protect, Status::OK).unwrap();
+    let refused = run(&mut module, &there_and_back(), &RunOptions::default(), |_| ());
+    assert_eq!(refused, Err(RunError::Refused { command: 0, status: 5 }));
 }
 
 /// What a plot says of a run; the picture itself is for people.
