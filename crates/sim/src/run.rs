@@ -191,7 +191,7 @@ fn instructions(device: &VirtualDevice) -> u64 {
     device.programs().map(|program| program.instructions).sum()
 }
 
-// Commands of a host that control the program memory (manual, section 3.4).
+// Commands of a host that control the program memory (manual, section 3.7.53).
 const STOP: u8 = 128;
 const RUN: u8 = 129;
 const ENTER_DOWNLOAD: u8 = 132;
