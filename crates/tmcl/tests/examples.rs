@@ -1,4 +1,4 @@
-//! The programs in `examples/tmcl`: they assemble, and what they ask of a device is written down here.
+//! The manual's programs in `examples/tmcl`: they assemble, and what they ask of a device is written down here.
 
 use std::collections::VecDeque;
 use tmcl::asm::{Assembly, Environment, Include, Place, assemble};
@@ -7,6 +7,26 @@ use tmcl::vm::{Exit, Outcome, Stopped};
 use tmcl::{Command, Vm, disasm, image};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/tmcl");
+
+/// The programs of the manual. Others in the folder may need more of a device than [`Module`].
+const MANUAL: [&str; 16] = [
+    "compare",
+    "conditional_call",
+    "copy_inputs",
+    "counting_loop",
+    "endless_moves",
+    "first_steps",
+    "interrupt_vector",
+    "main_loop",
+    "potentiometer",
+    "restart",
+    "routines",
+    "subroutine",
+    "symbolic_constants",
+    "timer_interrupt",
+    "timer_interrupt_symbols",
+    "user_variables",
+];
 
 /// Enough of a device's symbols and ranges for the examples.
 struct Module;
@@ -249,16 +269,11 @@ fn warnings() {
 
 #[test]
 fn every_example_survives_file_and_disassembler() {
-    let mut count = 0;
-    for entry in std::fs::read_dir(FOLDER).expect("the folder is there") {
-        let path = entry.expect("readable").path();
-        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name");
+    for name in MANUAL {
         let commands = program(name);
         assert_eq!(commands.last(), Some(&Command::STOP), "{name}");
         assert_eq!(image::from_bytes(&image::to_bytes(&commands)), Ok(commands.clone()), "{name}");
         let again = assemble(name, disasm::disassemble(&commands).as_bytes(), &Module);
         assert_eq!(again.program.expect("no errors").commands, commands, "{name}");
-        count += 1;
     }
-    assert_eq!(count, 16);
 }
