@@ -55,7 +55,7 @@ pub struct ServeArgs {
     #[arg(long, conflicts_with = "http")]
     pub no_http: bool,
     /// Seconds of device time a second
-    #[arg(long, value_name = "N", default_value = "1", value_parser = speed)]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = speed, allow_negative_numbers = true)]
     pub speed: f64,
     /// Directory for flash images; without it they live in memory
     #[arg(long, value_name = "DIR")]
@@ -74,7 +74,7 @@ pub struct RunArgs {
     #[arg(long, value_name = "FILE")]
     pub bench: Option<PathBuf>,
     /// Device time after which the run ends
-    #[arg(long = "for", value_name = "SECONDS", default_value = "3600", value_parser = seconds)]
+    #[arg(long = "for", value_name = "SECONDS", default_value = "3600", value_parser = seconds, allow_negative_numbers = true)]
     pub limit_s: f64,
     /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
     #[arg(long, value_name = "TIME:PIN=VALUE")]

@@ -123,12 +123,7 @@ impl Server {
             units.push(Arc::new(Unit::new(config, device, settings.speed)));
         }
 
-        let mut endpoints = vec![Vec::new(); units.len()];
-        for (bus, door) in buses.iter().zip(&doors) {
-            for member in &bus.members {
-                endpoints[*member].push(door.name(&bus.endpoint));
-            }
-        }
+        let endpoints = endpoints(&settings.devices, &buses, &doors);
         let mut ready = Vec::new();
         for (unit, endpoints) in units.iter().zip(&endpoints) {
             ready.extend(endpoints.iter().map(|endpoint| (unit.name.clone(), endpoint.clone())));
@@ -233,6 +228,17 @@ impl Door {
             Self::Pty(pty) => pty.serve(&line, stop),
         }
     }
+}
+
+/// The endpoints of each device with their real ports, in the order in which the device names them.
+fn endpoints(devices: &[DeviceConfig], buses: &[Bus], doors: &[Door]) -> Vec<Vec<String>> {
+    let of_device = |(index, device): (usize, &DeviceConfig)| {
+        let mut own: Vec<_> =
+            buses.iter().zip(doors).filter(|(bus, _)| bus.members.contains(&index)).collect();
+        own.sort_by_key(|(bus, _)| device.listen.iter().position(|endpoint| *endpoint == bus.endpoint));
+        own.into_iter().map(|(bus, door)| door.name(&bus.endpoint)).collect()
+    };
+    devices.iter().enumerate().map(of_device).collect()
 }
 
 /// The port that a device on this bus is connected by.
