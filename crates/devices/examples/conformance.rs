@@ -148,8 +148,14 @@ fn page() -> String {
     for (code, when, test) in STATUSES {
         line(format!("| {code} | {when} | `{test}` |"));
     }
-    line("\n## Commands (tables 5 and 14)\n\nH: sent by a host. P: in a program. A: typed in ASCII mode.\n".into());
-    line("| no. | command | where | section | what it does | example | test |\n|---|---|---|---|---|---|---|".into());
+    line(
+        "\n## Commands (tables 5 and 14)\n\nH: sent by a host. P: in a program. A: typed in ASCII mode.\n"
+            .into(),
+    );
+    line(
+        "| no. | command | where | section | what it does | example | test |\n|---|---|---|---|---|---|---|"
+            .into(),
+    );
     for entry in TABLE {
         let modes: String = [(Mode::Direct, 'H'), (Mode::Program, 'P'), (Mode::Ascii, 'A')]
             .into_iter()

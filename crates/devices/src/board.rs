@@ -4,7 +4,7 @@
 //! waits, reads a clock or opens a file: time, bytes and changes of inputs come in through
 //! [`Controller`](crate::Controller), everything else goes out and is sampled here.
 
-use motion::Train;
+use motion::{Ticks, Train};
 
 /// A port that takes and gives bytes. Each controller lists the ports it has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -30,6 +30,11 @@ pub struct Drive {
 
 /// The far side of a controller's pins.
 pub trait Board {
+    /// The controller has reached this clock: what it calls next happens now, pulses apart, which have
+    /// their own times. Comes before anything else that happens in
+    /// [`Controller::advance`](crate::Controller::advance).
+    fn clock(&mut self, now: Ticks);
+
     /// These pulses left the axis. Trains of one axis come in order of time and do not overlap.
     fn pulses(&mut self, axis: usize, train: &Train);
 

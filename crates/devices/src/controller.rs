@@ -133,7 +133,8 @@ pub trait Controller {
     fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks;
 
     /// The clock at which something will happen by itself, for callers that sleep until then;
-    /// [`Ticks::MAX`] if nothing will. Nobody has to stop there: [`advance`](Self::advance) passes over it.
+    /// [`Ticks::MAX`] if nothing will. A running program counts once a millisecond. Nobody has to stop
+    /// there: [`advance`](Self::advance) passes over it.
     fn wake(&self) -> Ticks;
 
     /// Bytes arrive at a port.

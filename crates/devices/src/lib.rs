@@ -18,4 +18,4 @@ pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Notice, Pin, PinKind, ProgramRun, ProgramState, Wiring};
 #[cfg(feature = "std")]
 pub use models::{MODELS, Model, model};
-pub use parameter::{Access, Parameter};
+pub use parameter::{Access, Parameter, Table};

@@ -82,18 +82,58 @@ impl Parameter {
     pub const fn allows(&self, value: i32) -> bool {
         self.high < self.low || self.low <= value && value <= self.high
     }
+}
 
-    /// The entry with this number in a table sorted by number, and its place.
-    pub fn find(table: &'static [Self], number: u8) -> Option<(usize, &'static Self)> {
-        let place = table.binary_search_by_key(&number, |entry| entry.number).ok()?;
-        Some((place, &table[place]))
+/// Says that a table has no entry of a number.
+const NONE: u8 = u8::MAX;
+
+/// A table of parameters: its entries, sorted by number, and where each number stands.
+#[derive(Debug)]
+pub struct Table {
+    entries: &'static [Parameter],
+    places: [u8; 256],
+}
+
+impl Table {
+    /// # Panics
+    /// At compile time, if the entries are not sorted.
+    pub(crate) const fn new(entries: &'static [Parameter]) -> Self {
+        let mut places = [NONE; 256];
+        let mut place = 0;
+        while place < entries.len() {
+            let number = entries[place].number;
+            assert!(place == 0 || entries[place - 1].number < number, "entries are sorted by number");
+            places[number as usize] = place as u8;
+            place += 1;
+        }
+        Self { entries, places }
+    }
+
+    /// The entry with this number.
+    #[inline]
+    pub fn find(&self, number: u8) -> Option<&'static Parameter> {
+        self.entries.get(usize::from(self.places[usize::from(number)]))
+    }
+
+    /// The entries, by number.
+    pub fn iter(&self) -> core::slice::Iter<'static, Parameter> {
+        self.entries.iter()
+    }
+}
+
+impl IntoIterator for &Table {
+    type Item = &'static Parameter;
+    type IntoIter = core::slice::Iter<'static, Parameter>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
     }
 }
 
 /// The values of a table's parameters.
 #[derive(Clone, Debug)]
 pub struct Values<const COUNT: usize> {
-    table: &'static [Parameter],
+    table: &'static Table,
     values: [i32; COUNT],
 }
 
@@ -102,9 +142,9 @@ impl<const COUNT: usize> Values<COUNT> {
     ///
     /// # Panics
     /// If the table has another length.
-    pub fn new(table: &'static [Parameter]) -> Self {
-        assert_eq!(table.len(), COUNT, "values for each entry");
-        Self { table, values: core::array::from_fn(|place| table[place].default) }
+    pub fn new(table: &'static Table) -> Self {
+        assert_eq!(table.entries.len(), COUNT, "values for each entry");
+        Self { table, values: core::array::from_fn(|place| table.entries[place].default) }
     }
 
     /// A value.
@@ -124,10 +164,9 @@ impl<const COUNT: usize> Values<COUNT> {
     }
 
     fn place(&self, number: u8) -> usize {
-        match Parameter::find(self.table, number) {
-            Some((place, _)) => place,
-            None => panic!("no parameter has this number"),
-        }
+        let place = self.table.places[usize::from(number)];
+        assert!(place != NONE, "no parameter has this number");
+        place.into()
     }
 }
 
@@ -145,7 +184,7 @@ macro_rules! parameters {
         pub const COUNT: usize = [$($number as u8),*].len();
 
         $(#[$doc])*
-        pub static $table: &[$crate::parameter::Parameter] = &[$($crate::parameter::Parameter {
+        pub static $table: &$crate::parameter::Table = &$crate::parameter::Table::new(&[$($crate::parameter::Parameter {
             number: $number,
             low: $low,
             high: $high,
@@ -159,7 +198,7 @@ macro_rules! parameters {
                 text: $text,
                 test: stringify!($test),
             },
-        }),*];
+        }),*]);
     };
 }
 pub(crate) use parameters;
@@ -185,12 +224,10 @@ mod tests {
 
     #[test]
     fn ranges() {
-        let (place, low) = Parameter::find(TABLE, LOW).unwrap();
-        assert_eq!(place, 0);
+        let low = TABLE.find(LOW).unwrap();
         assert!(low.allows(-5) && low.allows(7) && !low.allows(8) && !low.allows(-6));
-        let (place, all) = Parameter::find(TABLE, ALL).unwrap();
-        assert_eq!(place, 1);
+        let all = TABLE.find(ALL).unwrap();
         assert!(all.allows(i32::MIN) && all.allows(-1));
-        assert!(Parameter::find(TABLE, 4).is_none());
+        assert!(TABLE.find(4).is_none());
     }
 }

@@ -5,7 +5,6 @@ use super::pins::number as pin;
 use super::{Pd42, ap};
 use crate::board::Board;
 use crate::flash::Flash;
-use crate::parameter::Parameter;
 use protocol::tmcl::Status;
 use tmcl::isa::{Command, MAX_COORDINATE, MoveKind, RefSearch, opcode};
 
@@ -46,7 +45,7 @@ impl<F: Flash> Pd42<F> {
             opcode::SAP => self.set_axis_of(kind, motor, value, board)?,
             opcode::AAP => self.set_axis_of(kind, motor, accumulator, board)?,
             opcode::GAP => {
-                Parameter::find(ap::TABLE, kind).ok_or(Status::WRONG_TYPE)?;
+                ap::TABLE.find(kind).ok_or(Status::WRONG_TYPE)?;
                 axis(motor)?;
                 return self.get_axis(kind, board).map(Some);
             }
@@ -108,7 +107,7 @@ impl<F: Flash> Pd42<F> {
     }
 
     fn set_axis_of(&mut self, kind: u8, motor: u8, value: i32, board: &mut dyn Board) -> Result<(), Status> {
-        Parameter::find(ap::TABLE, kind).ok_or(Status::WRONG_TYPE)?;
+        ap::TABLE.find(kind).ok_or(Status::WRONG_TYPE)?;
         axis(motor)?;
         self.set_axis(kind, value, board)
     }
@@ -226,7 +225,7 @@ fn coordinate(number: u8) -> Result<(), Status> {
 }
 
 fn storable_axis(number: u8, motor: u8) -> Result<(), Status> {
-    let (_, entry) = Parameter::find(ap::TABLE, number).ok_or(Status::WRONG_TYPE)?;
+    let entry = ap::TABLE.find(number).ok_or(Status::WRONG_TYPE)?;
     if !entry.access.storable() {
         return Err(Status::WRONG_TYPE);
     }

@@ -2,7 +2,7 @@
 
 use super::{axis_parameters as ap, global_parameters as gp};
 use crate::flash::Flash;
-use crate::parameter::{Parameter, Values};
+use crate::parameter::{Parameter, Table, Values};
 use crate::settings::{Kind, Number, Settings, StoreError};
 use tmcl::isa::{Command, MAX_COORDINATE, PROGRAM_LENGTH};
 use tmcl::vm::Vm;
@@ -229,10 +229,10 @@ impl<F: Flash> Memory<F> {
 }
 
 /// Whether a record is one that this table's commands could have written.
-fn known(table: &'static [Parameter], number: u8, value: i32) -> bool {
-    Parameter::find(table, number).is_some_and(|(_, entry)| {
-        entry.allows(value) && (entry.access.storable() || entry.access.automatic())
-    })
+fn known(table: &Table, number: u8, value: i32) -> bool {
+    table
+        .find(number)
+        .is_some_and(|entry| entry.allows(value) && (entry.access.storable() || entry.access.automatic()))
 }
 
 fn read_command(bytes: &[u8]) -> Option<Command> {

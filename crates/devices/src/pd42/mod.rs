@@ -167,6 +167,7 @@ impl<F: Flash> Pd42<F> {
 
     /// Lets the axis run to a clock and sees to what has changed there.
     fn step_to(&mut self, clock: Ticks, board: &mut dyn Board) {
+        board.clock(clock);
         self.axis.advance(clock, |train| board.pulses(0, train));
         self.now = clock;
         if self.tick_at.is_some_and(|due| due <= clock) {
@@ -282,7 +283,12 @@ impl<F: Flash> Controller for Pd42<F> {
     }
 
     fn wake(&self) -> Ticks {
-        if self.dead { Ticks::MAX } else { self.due().min(self.program_at().unwrap_or(Ticks::MAX)) }
+        if self.dead {
+            return Ticks::MAX;
+        }
+        // A program has something to do all the time: once a millisecond is often enough to look.
+        let program = self.program_at().map_or(Ticks::MAX, |at| at.max(self.now + MILLISECOND));
+        self.due().min(program)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {

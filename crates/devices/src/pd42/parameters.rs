@@ -5,7 +5,6 @@ use super::motion::ramp_mode;
 use super::{MILLISECOND, Pd42, ap, global_parameters as gp};
 use crate::board::Board;
 use crate::flash::Flash;
-use crate::parameter::Parameter;
 use crate::settings::{Kind, StoreError};
 use ::motion::{Ticks, tmc429};
 use protocol::tmcl::Status;
@@ -23,7 +22,7 @@ impl<F: Flash> Pd42<F> {
     /// # Errors
     /// [`Status::WRONG_TYPE`] if there is none of this number.
     pub fn get_axis(&mut self, number: u8, board: &mut dyn Board) -> Result<i32, Status> {
-        let (_, entry) = Parameter::find(ap::TABLE, number).ok_or(Status::WRONG_TYPE)?;
+        let entry = ap::TABLE.find(number).ok_or(Status::WRONG_TYPE)?;
         let sign = self.axis.direction().sign() as i32;
         let [left, right] = self.stop_switches();
         Ok(match entry.number {
@@ -66,7 +65,7 @@ impl<F: Flash> Pd42<F> {
     /// [`Status::WRONG_TYPE`] if there is none of this number or it cannot be written,
     /// [`Status::INVALID_VALUE`] out of range, [`Status::NOT_AVAILABLE`] if the motor may not be moved.
     pub fn set_axis(&mut self, number: u8, value: i32, board: &mut dyn Board) -> Result<(), Status> {
-        let (_, entry) = Parameter::find(ap::TABLE, number).ok_or(Status::WRONG_TYPE)?;
+        let entry = ap::TABLE.find(number).ok_or(Status::WRONG_TYPE)?;
         if !entry.access.writable() {
             return Err(Status::WRONG_TYPE);
         }
@@ -118,12 +117,12 @@ impl<F: Flash> Pd42<F> {
             MODULE_BANK => {}
             VARIABLE_BANK => return Ok(self.vm.variable(number)),
             INTERRUPT_BANK => {
-                Parameter::find(gp::interrupts::TABLE, number).ok_or(Status::WRONG_TYPE)?;
+                gp::interrupts::TABLE.find(number).ok_or(Status::WRONG_TYPE)?;
                 return Ok(self.memory.interrupts.get(number));
             }
             _ => return Err(Status::INVALID_VALUE),
         }
-        Parameter::find(gp::module::TABLE, number).ok_or(Status::WRONG_TYPE)?;
+        gp::module::TABLE.find(number).ok_or(Status::WRONG_TYPE)?;
         Ok(match number {
             gp::module::PROGRAM_STATUS => self.vm.mode() as i32,
             gp::module::DOWNLOAD_MODE => self.program.download.is_some().into(),
@@ -155,7 +154,7 @@ impl<F: Flash> Pd42<F> {
             INTERRUPT_BANK => gp::interrupts::TABLE,
             _ => return Err(Status::INVALID_VALUE),
         };
-        let (_, entry) = Parameter::find(table, number).ok_or(Status::WRONG_TYPE)?;
+        let entry = table.find(number).ok_or(Status::WRONG_TYPE)?;
         if !entry.access.writable() {
             return Err(Status::WRONG_TYPE);
         }

@@ -84,13 +84,14 @@ impl VirtualDevice {
         flash.set_seed(seed);
         flash.restore_power();
         let controller = (config.model.build)(Box::new(flash.clone()), seed);
-        let (axes, pins) = (controller.axes(), controller.pins());
+        let (axes, pins, clock_hz) = (controller.axes(), controller.pins(), controller.clock_hz());
+        let world = World::new(config, axes, pins, flash.clone(), clock_hz);
         let mut device = Self {
             config: config.clone(),
             seed,
             flash,
-            clock_hz: controller.clock_hz(),
-            world: World::new(config, axes, pins),
+            clock_hz,
+            world,
             schedule: Schedule::default(),
             told: Vec::new(),
             places: Vec::new(),
@@ -139,15 +140,20 @@ impl VirtualDevice {
         own.min(self.schedule.next()).min(self.world.next_sample())
     }
 
+    /// The device time at which something has to be done here. Recordings look at the axes wherever
+    /// something happens.
+    fn stop(&self) -> Ticks {
+        if self.world.is_recording() { self.wake() } else { self.schedule.next() }
+    }
+
     /// Lets time pass until the end of clock `until`. An earlier time than now is now.
     pub fn advance(&mut self, until: Ticks) {
         let mut standstill = 0;
         loop {
             let before = self.now();
-            // Stops at everything that happens, so that what is sent and recorded has its exact time.
-            self.step(self.wake().min(until).max(before));
+            self.step(self.stop().min(until).max(before));
             let now = self.now();
-            if now >= until && self.wake() > now {
+            if now >= until && self.stop() > now {
                 return;
             }
             standstill = if now == before { standstill + 1 } else { 0 };
@@ -285,7 +291,7 @@ impl VirtualDevice {
 
     /// Cuts the supply and switches it on again. What flash had not finished is lost or torn.
     pub fn power_cut(&mut self) {
-        self.tell_flash_the_time();
+        self.world.set_clock(self.world.clock);
         self.flash.cut_now();
         self.restart();
     }
@@ -383,8 +389,7 @@ impl VirtualDevice {
         let pins = self.pins();
         self.told = pins.iter().map(|pin| pin.rest).collect();
         self.places = (0..pins.len()).map(|pin| self.world.machine.place_of(pin)).collect();
-        self.tell_flash_the_time();
-        self.controller.advance(0, &mut self.world);
+        self.world.set_clock(0);
         for (pin, description) in pins.iter().enumerate() {
             if description.kind == PinKind::Analog && self.world.level(pin) != description.rest {
                 self.controller.analog_changed(pin, &mut self.world);
@@ -392,15 +397,16 @@ impl VirtualDevice {
         }
         self.world.stirred = true;
         self.settle();
+        self.controller.advance(0, &mut self.world);
+        self.settle();
         self.movements = self.movement();
     }
 
     /// Goes to device time `now`, or to the first change of an input before it.
     fn step(&mut self, now: Ticks) {
-        self.world.clock = now - self.world.origin;
-        self.tell_flash_the_time();
         // Less than was asked for where a shaft has come to the edge of its window.
-        self.world.clock = self.controller.advance(self.world.clock, &mut self.world);
+        let clock = self.controller.advance(now - self.world.origin, &mut self.world);
+        self.world.set_clock(clock);
         self.settle();
         while let Some(due) = self.schedule.take(self.now()) {
             self.put(due.pin, due.level);
@@ -408,10 +414,6 @@ impl VirtualDevice {
         if self.world.is_recording() {
             self.record();
         }
-    }
-
-    fn tell_flash_the_time(&self) {
-        self.flash.set_time(self.now(), self.clock_hz);
     }
 
     /// Tells the controller of inputs that changed, until none does, and how far it can go from there.

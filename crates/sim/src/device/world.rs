@@ -1,6 +1,7 @@
 //! Everything around the controller: the board that it acts on.
 
 use crate::{
+    SharedFlash,
     config::DeviceConfig,
     machine::{Edge, Machine},
     record::{Mark, Recorder},
@@ -33,6 +34,8 @@ struct Recording {
 
 pub(super) struct World {
     pub machine: Machine,
+    flash: SharedFlash,
+    clock_hz: u32,
     pub pins: &'static [Pin],
     /// Device time at clock 0 of the controller.
     pub origin: Ticks,
@@ -51,10 +54,18 @@ pub(super) struct World {
 }
 
 impl World {
-    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &'static [Pin]) -> Self {
+    pub fn new(
+        config: &DeviceConfig,
+        axes: &[&str],
+        pins: &'static [Pin],
+        flash: SharedFlash,
+        clock_hz: u32,
+    ) -> Self {
         assert!(pins.len() <= 64, "watched pins are bits of a word");
         Self {
             machine: Machine::new(config, axes, pins),
+            flash,
+            clock_hz,
             pins,
             origin: 0,
             clock: 0,
@@ -65,6 +76,12 @@ impl World {
             recordings: Vec::new(),
             edges: Vec::with_capacity(pins.len()),
         }
+    }
+
+    /// The controller's clock is this; the flash is told how long its operations have had.
+    pub fn set_clock(&mut self, clock: Ticks) {
+        self.clock = clock;
+        self.flash.set_time(self.now(), self.clock_hz);
     }
 
     /// Device time.
@@ -205,6 +222,10 @@ impl World {
 }
 
 impl Board for World {
+    fn clock(&mut self, now: Ticks) {
+        self.set_clock(now);
+    }
+
     fn pulses(&mut self, axis: usize, train: &Train) {
         self.machine.follow(axis, train);
         self.stirred = true;

@@ -55,7 +55,7 @@ fn every_parameter_has_its_default_range_and_access() {
 #[test]
 fn other_numbers_are_a_wrong_type() {
     let mut rig = Rig::new();
-    for number in (0..=255).filter(|&number| Parameter::find(ap::TABLE, number).is_none()) {
+    for number in (0..=255).filter(|&number| ap::TABLE.find(number).is_none()) {
         for opcode in [5, 6, 7, 8, 34] {
             assert_eq!(rig.send(opcode, number, 0, 0), (WRONG_TYPE, 0), "{opcode} {number}");
         }
@@ -385,7 +385,7 @@ fn ap_160_and_161_steps() {
 fn chopper_parameters_are_kept() {
     let mut rig = Rig::new();
     for number in [162, 163, 164, 165, 166, 175, 176, 177, 178, 184] {
-        let (_, entry) = Parameter::find(ap::TABLE, number).unwrap();
+        let entry = ap::TABLE.find(number).unwrap();
         for value in [entry.low, entry.high] {
             rig.sap(number, value);
             assert_eq!(rig.gap(number), value);

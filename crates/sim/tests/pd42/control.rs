@@ -146,7 +146,7 @@ fn position_reached_events() {
     let mut rig = Rig::new();
     let event = [2, 1, 128, 138, 0, 0, 0, 1, 14];
     let reached = |rig: &mut Rig| -> Vec<u8> {
-        rig.device.drain_sent();
+        drop(rig.device.drain_sent());
         rig.pass_ms(2000);
         rig.device.drain_sent().flat_map(|sent| sent.bytes).collect()
     };

@@ -53,7 +53,7 @@ fn automatic_parameters_survive_a_restart() {
 #[test]
 fn other_numbers_and_banks() {
     let mut rig = Rig::new();
-    for number in (0..=255).filter(|&number| Parameter::find(gp::module::TABLE, number).is_none()) {
+    for number in (0..=255).filter(|&number| gp::module::TABLE.find(number).is_none()) {
         for opcode in [9, 10, 35] {
             assert_eq!(rig.send(opcode, number, 0, 0).0, WRONG_TYPE, "{opcode} {number}");
         }

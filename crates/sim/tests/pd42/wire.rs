@@ -84,7 +84,7 @@ fn ascii_lines() {
     let mut rig = Rig::new();
     rig.sgp(67, 0, 0x20);
     rig.ok(139, 0, 0, 0);
-    rig.device.drain_sent();
+    drop(rig.device.drain_sent());
     for (typed, reply) in [
         ("AMVP ABS, 0, 50000\r", "BA 100 50000\r"),
         ("A MVP ABS, 0, 50000\r", "BA 100 50000\r"),
