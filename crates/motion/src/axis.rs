@@ -6,9 +6,9 @@
 //! counts.
 
 use crate::block;
-use crate::plan::{self, Kind, Limits, Now, Piece, Wish};
+use crate::plan::{self, Kind, Limits, Now, Piece, Run, Wish};
 use crate::scurve::{self, Course};
-use crate::speed::{MAX_SPEED, Speed, SpeedSquared, root, square};
+use crate::speed::{MAX_SPEED, Pace, Speed};
 use crate::train::{Direction, Moment, Ticks, Train};
 
 /// One whole pulse in 2⁻³².
@@ -36,8 +36,10 @@ pub enum Stop {
 #[derive(Clone, Copy, Debug)]
 struct Leg {
     train: Train,
-    /// v² at the start of the train and at its end.
-    squares: [SpeedSquared; 2],
+    /// At the start of the train and at its end.
+    ends: [Pace; 2],
+    /// The moment of the last pulse.
+    last: Moment,
     kind: Kind,
 }
 
@@ -62,12 +64,14 @@ pub struct Axis {
     /// The end of the clock that was advanced to, or the moment of the last pulse while moving.
     since: Moment,
     now: Ticks,
-    /// v² at `since`; 0 at standstill.
-    squared: SpeedSquared,
+    /// The speed at `since`; 0 at standstill.
+    pace: Pace,
     direction: Direction,
     /// What is left of the next pulse at `since`, in 2⁻³².
     rest: u64,
     leg: Option<Leg>,
+    /// What follows the leg.
+    run: Run,
     /// How a motion with S-curves goes on.
     course: Option<Course>,
 }
@@ -85,10 +89,11 @@ impl Axis {
             window: Window { low: i64::MIN, high: i64::MAX },
             since: Moment::at(0),
             now: 0,
-            squared: 0,
+            pace: Pace::STILL,
             direction: Direction::Positive,
             rest: WHOLE,
             leg: None,
+            run: Run::NONE,
             course: None,
         }
     }
@@ -120,7 +125,7 @@ impl Axis {
 
     /// Whether pulses are on their way.
     pub fn is_moving(&self) -> bool {
-        self.squared != 0
+        self.pace != Pace::STILL
     }
 
     /// The way the axis moves, or moved last.
@@ -135,7 +140,7 @@ impl Axis {
 
     /// Whether the speed is rising (1), falling (−1) or neither.
     pub fn acceleration(&self) -> i32 {
-        self.leg.as_ref().map_or(0, |leg| match leg.squares[1].cmp(&leg.squares[0]) {
+        self.leg.as_ref().map_or(0, |leg| match leg.ends[1].squared.cmp(&leg.ends[0].squared) {
             core::cmp::Ordering::Less => -1,
             core::cmp::Ordering::Equal => 0,
             core::cmp::Ordering::Greater => 1,
@@ -160,11 +165,11 @@ impl Axis {
         if limits != self.limits {
             self.change(|axis| {
                 let (old, new) = (axis.limits.scale.bits(), limits.scale.bits());
-                let speed = u64::from(root(axis.squared));
+                let speed = u64::from(axis.pace.speed);
                 if new != old && speed != 0 {
                     let speed = if new > old { speed << (new - old) } else { speed >> (old - new) };
                     let speed = speed.clamp(limits.scale.slowest().into(), MAX_SPEED.into());
-                    axis.squared = square(speed as Speed);
+                    axis.pace = Pace::of(speed as Speed);
                 }
                 axis.limits = limits;
             });
@@ -208,7 +213,7 @@ impl Axis {
         };
         Some(match u32::try_from(room) {
             Ok(room @ 1..) if room < train.count => train.edge(room),
-            _ => train.end(),
+            _ => leg.last.ticks,
         })
     }
 
@@ -219,46 +224,54 @@ impl Axis {
     pub fn advance(&mut self, now: Ticks, mut emit: impl FnMut(&Train)) {
         assert!(now >= self.now, "time moves forward");
         self.now = now;
-        while let Some(leg) = self.leg {
-            let done = leg.train.count_until(now);
-            if done == 0 {
+        while let Some(leg) = &self.leg {
+            if now < leg.last.ticks {
+                if leg.train.edge(1) <= now {
+                    self.advance_inside(now, emit);
+                }
                 return;
             }
-            let part = if done < leg.train.count {
-                let (head, tail) = leg.train.split(done);
-                self.squared = self.squared_after(&leg, done);
-                self.leg = Some(Leg { train: tail, squares: [self.squared, leg.squares[1]], kind: leg.kind });
-                head
-            } else {
-                self.squared = leg.squares[1];
-                self.leg = None;
-                leg.train
-            };
-            emit(&part);
-            self.count(&part);
-            self.since = part.moment(part.count);
+            emit(&leg.train);
+            let Train { count, direction, .. } = leg.train;
+            self.since = leg.last;
+            self.pace = leg.ends[1];
             self.rest = WHOLE;
-            if self.leg.is_none() {
-                self.plan();
-            }
+            self.count(direction, count);
+            self.leg = None;
+            self.plan();
         }
+    }
+
+    /// The same between the first pulse and the last of the train on its way.
+    #[cold]
+    fn advance_inside(&mut self, now: Ticks, mut emit: impl FnMut(&Train)) {
+        let Some(leg) = self.leg else { return };
+        let done = leg.train.count_until(now);
+        let (head, tail) = leg.train.split(done);
+        emit(&head);
+        self.since = tail.start;
+        self.pace = self.pace_after(&leg, done);
+        self.rest = WHOLE;
+        self.count(head.direction, done);
+        self.leg = Some(Leg { train: tail, ends: [self.pace, leg.ends[1]], ..leg });
     }
 
     /// Puts a change into effect at the end of the present clock.
     fn change(&mut self, change: impl FnOnce(&mut Self)) {
-        let before = (self.leg, self.squared, self.rest, self.since);
+        let before = (self.leg, self.pace, self.rest, self.since);
         if let Some(leg) = self.leg.take() {
             assert!(leg.train.edge(1) > self.now, "pulses in the past belong out before a change");
             let (speed, rest) = self.progress(&leg);
-            self.squared = square(speed);
+            self.pace = Pace::of(speed);
             self.rest = rest;
         }
         self.since = Moment::at(self.now + 1);
         change(self);
         if self.keeps_course() {
-            (self.leg, self.squared, self.rest, self.since) = before;
+            (self.leg, self.pace, self.rest, self.since) = before;
         } else {
             self.course = None;
+            self.run = Run::NONE;
             self.plan();
         }
     }
@@ -267,7 +280,7 @@ impl Axis {
     fn progress(&self, leg: &Leg) -> (Speed, u64) {
         let spacing = leg.train.interval;
         let gone = Moment::at(self.now + 1).since(leg.train.start).unwrap_or(0).min(spacing - 1);
-        let [from, to] = [leg.squares[0], self.squared_after(leg, 1)].map(|squared| i64::from(root(squared)));
+        let [from, to] = [leg.ends[0], self.pace_after(leg, 1)].map(|pace| i64::from(pace.speed));
         // Over one pulse the speed is taken as linear in time; way is speed by time.
         let share = ((u128::from(gone) << 32) / u128::from(spacing)) as i64;
         let speed = from + (((to - from) * share) >> 32);
@@ -278,43 +291,48 @@ impl Axis {
 
     /// Whether the course on its way is still right, so that a curve need not start anew.
     fn keeps_course(&self) -> bool {
-        let now = Now { squared: self.squared, rest: self.rest };
+        let now = Now { squared: self.pace.squared, rest: self.rest };
         match (&self.course, self.limits.bend(), self.wish()) {
             (Some(course), Some(bend), Some(wish)) => course.serves(&self.limits, bend, now, wish),
             _ => false,
         }
     }
 
-    /// v² after some pulses of the leg.
-    fn squared_after(&self, leg: &Leg, pulses: u32) -> SpeedSquared {
+    /// The speed after some pulses of the leg.
+    fn pace_after(&self, leg: &Leg, pulses: u32) -> Pace {
         match (&self.course, leg.kind) {
-            (Some(course), Kind::Curve(_)) => square(course.speed_at(pulses)),
-            _ => leg.squared_after(pulses),
+            (Some(course), Kind::Curve(_)) => Pace::of(course.speed_at(pulses)),
+            _ => leg.pace_after(pulses),
         }
     }
 
-    fn count(&mut self, train: &Train) {
+    fn count(&mut self, direction: Direction, pulses: u32) {
         if let Some(course) = &mut self.course {
-            course.pass(train.count);
+            course.pass(pulses);
         }
-        let way = train.direction.sign() * i64::from(train.count);
+        let way = direction.sign() * i64::from(pulses);
         self.position = self.position.wrapping_add(way as i32);
         self.odometer += way;
-        self.steps += u64::from(train.count);
+        self.steps += u64::from(pulses);
     }
 
     fn rest(&mut self) {
-        self.squared = 0;
+        self.pace = Pace::STILL;
         self.rest = WHOLE;
         self.leg = None;
+        self.run = Run::NONE;
         self.course = None;
     }
 
     /// Finds the next leg, or comes to rest.
     fn plan(&mut self) {
+        if let Some(piece) = self.run.next(self.pace.squared) {
+            self.leg = Some(self.leg_of(piece));
+            return;
+        }
         // Twice at the most: coming to rest may be the start of a motion the other way.
         for _ in 0..2 {
-            if self.squared == 0 && !self.start() {
+            if self.pace == Pace::STILL && !self.start() {
                 return;
             }
             match self.next_piece() {
@@ -349,7 +367,7 @@ impl Axis {
             };
         }
         self.direction = direction;
-        self.squared = square(speed.max(self.limits.scale.slowest()));
+        self.pace = Pace::of(speed.max(self.limits.scale.slowest()));
         true
     }
 
@@ -378,28 +396,31 @@ impl Axis {
     /// How to go on from a speed that is not 0; `None` to stand still now.
     fn next_piece(&mut self) -> Option<Piece> {
         let wish = self.wish()?;
-        let now = Now { squared: self.squared, rest: self.rest };
+        let now = Now { squared: self.pace.squared, rest: self.rest };
         if let Some(bend) = self.limits.bend() {
             if self.course.is_none() {
                 self.course = Course::new(&self.limits, bend, now, wish);
             }
             return self.course.as_mut()?.piece(self.rest);
         }
-        match wish {
+        let piece = match wish {
             Wish::To(pulses) => {
                 plan::toward(&self.limits, now, pulses).or_else(|| plan::brake(&self.limits, now))
             }
             Wish::Speed(speed) => Some(plan::at_speed(&self.limits, now, speed)),
             Wish::Brake => plan::brake(&self.limits, now),
-        }
+        }?;
+        self.run = Run::after(&piece, &self.limits, now.squared, wish);
+        Some(piece)
     }
 
+    #[inline]
     fn leg_of(&self, piece: Piece) -> Leg {
         let Piece { count, end, kind } = piece;
         let scale = self.limits.scale;
-        let ends = [root(self.squared), root(end)];
+        let ends = [self.pace, self.pace.next(end)];
         let train = match kind {
-            Kind::Cruise => Train { interval: scale.spacing(ends[0]), count, ..self.still() },
+            Kind::Cruise => Train { interval: scale.spacing(self.pace.speed), count, ..self.still() },
             Kind::Glide => block::glide(scale, self.since, self.direction, count, ends),
             Kind::Curve(duration) => block::curve(scale, self.since, self.direction, count, ends, duration),
             Kind::Ramp => {
@@ -412,7 +433,7 @@ impl Axis {
                 }
             }
         };
-        Leg { train, squares: [self.squared, end], kind }
+        Leg { train, ends, last: train.moment(count), kind }
     }
 
     fn still(&self) -> Train {
@@ -421,19 +442,19 @@ impl Axis {
 }
 
 impl Leg {
-    /// v² after some of the pulses.
-    fn squared_after(&self, pulses: u32) -> SpeedSquared {
+    /// The speed after some of the pulses.
+    fn pace_after(&self, pulses: u32) -> Pace {
         let count = i128::from(self.train.count);
         let between = |from: u64, to: u64| {
             let change = (i128::from(to) - i128::from(from)) * i128::from(pulses) / count;
             (i128::from(from) + change) as u64
         };
-        let [from, to] = self.squares;
+        let [from, to] = self.ends;
         match self.kind {
             Kind::Cruise => to,
             // Of a curve only the ends are known here.
-            Kind::Curve(_) | Kind::Ramp => between(from, to),
-            Kind::Glide => square(between(root(from).into(), root(to).into()) as Speed),
+            Kind::Curve(_) | Kind::Ramp => Pace::of_square(between(from.squared, to.squared)),
+            Kind::Glide => Pace::of(between(from.speed.into(), to.speed.into()) as Speed),
         }
     }
 }

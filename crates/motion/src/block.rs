@@ -4,7 +4,7 @@
 //! and its speeds at both ends. With at most 1/64 of the square of the speed changing over a block, it
 //! stays within 0.04 % of the acceleration, a unit of the largest that a register holds.
 
-use crate::speed::{Growth, Scale, Speed, SpeedSquared};
+use crate::speed::{Growth, Pace, Scale, SpeedSquared};
 use crate::train::{Direction, FRACTION_BITS, Moment, SubTicks, Train};
 
 /// The longest block of a ramp, so that rounding of the cubic's terms stays below 1/64 clock.
@@ -64,9 +64,9 @@ const fn rounded(value: i64, bits: u32) -> i64 {
 
 /// A block of constant acceleration between two squared speeds.
 #[inline]
-pub fn ramp(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Speed; 2]) -> Train {
+pub(crate) fn ramp(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Pace; 2]) -> Train {
     let [from, to] = ends;
-    let mean = scale.mean_spacing(from, to);
+    let mean = scale.mean_spacing(from.speed, to.speed);
     if count == 1 {
         return single(start, direction, mean);
     }
@@ -75,12 +75,12 @@ pub fn ramp(scale: Scale, start: Moment, direction: Direction, count: u32, ends:
 
 /// A block over which the speed itself, not its square, changes evenly with the pulses.
 #[inline]
-pub fn glide(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Speed; 2]) -> Train {
+pub(crate) fn glide(scale: Scale, start: Moment, direction: Direction, count: u32, ends: [Pace; 2]) -> Train {
     let [from, to] = ends;
     let first = scale.quick_spacing(from);
     let last = scale.quick_spacing(to);
     // The time is the integral of the spacing: Simpson's rule, off by 10⁻⁹ at most over such a block.
-    let middle = scale.mean_spacing(from, to);
+    let middle = scale.mean_spacing(from.speed, to.speed);
     let mean = first / 6 + 2 * (middle / 3) + last / 6;
     if count == 1 {
         return single(start, direction, mean);
@@ -90,18 +90,18 @@ pub fn glide(scale: Scale, start: Moment, direction: Direction, count: u32, ends
 
 /// A block of known duration between two speeds.
 #[inline]
-pub fn curve(
+pub(crate) fn curve(
     scale: Scale,
     start: Moment,
     direction: Direction,
     count: u32,
-    ends: [Speed; 2],
+    ends: [Pace; 2],
     duration: SubTicks,
 ) -> Train {
     if count == 1 {
         return single(start, direction, duration);
     }
-    let [first, last] = ends.map(|speed| scale.quick_spacing(speed));
+    let [first, last] = ends.map(|pace| scale.quick_spacing(pace));
     cubic(start, direction, count, [first, duration / u64::from(count), last])
 }
 

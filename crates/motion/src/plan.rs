@@ -77,8 +77,10 @@ impl Limits {
     }
 
     /// Speed a pulse, in 2⁻³², that the soft approach takes away; all of it within one at the most.
-    fn decay(&self) -> u128 {
-        ((u128::from(self.growth) << 31) / u128::from(self.top)).clamp(1, 1 << 63)
+    fn decay(&self) -> u64 {
+        let top = u64::from(self.top);
+        let (whole, rest) = (self.growth / top, self.growth % top);
+        if whole >> 32 != 0 { 1 << 63 } else { ((whole << 31) + (rest << 31) / top).max(1) }
     }
 
     /// The ceiling of v² over a distance in 2⁻³² pulses.
@@ -94,11 +96,15 @@ impl Limits {
                 // The decay from the top speed takes the whole acceleration; above it, the parabola that
                 // goes on from there.
                 let decay = self.decay();
-                let bend = u64::try_from((u128::from(self.top) << 64) / decay).unwrap_or(u64::MAX);
-                let near = distance.min(bend);
-                let decayed = square(((decay * u128::from(near)) >> 64) as Speed);
-                let rise = (u128::from(self.growth) * u128::from(distance - near)) >> 32;
-                decayed.saturating_add(u64::try_from(rise).unwrap_or(u64::MAX)).max(square(self.stop))
+                let speed = ((u128::from(decay) * u128::from(distance)) >> 64) as u64;
+                if speed <= u64::from(self.top) {
+                    return square(speed as Speed).max(square(self.stop));
+                }
+                let bend =
+                    u64::try_from((u128::from(self.top) << 64) / u128::from(decay)).unwrap_or(u64::MAX);
+                let rise = (u128::from(self.growth) * u128::from(distance - bend.min(distance))) >> 32;
+                let rise = u64::try_from(rise).unwrap_or(u64::MAX);
+                square(self.top).saturating_add(rise).max(square(self.stop))
             }
         }
     }
@@ -111,14 +117,15 @@ impl Limits {
             }
             Shape::Soft if top <= square(self.stop) => 0,
             Shape::Soft => {
-                u64::try_from((u128::from(root(top)) << 32).div_ceil(self.decay())).unwrap_or(u64::MAX)
+                u64::try_from((u128::from(root(top)) << 32).div_ceil(self.decay().into())).unwrap_or(u64::MAX)
             }
         }
     }
 
     /// Rounding of v² that is not worth a reaction: far below a quantum of acceleration.
     fn slack(&self, squared: SpeedSquared) -> u64 {
-        (self.growth >> 12) + 8 * u64::from(root(squared))
+        // Some steps of v, whose root a power of two above stands for.
+        (self.growth >> 12) + (8 << (u64::BITS - squared.leading_zeros()).div_ceil(2))
     }
 }
 
@@ -161,6 +168,63 @@ pub(crate) enum Kind {
     Curve(SubTicks),
 }
 
+/// Pieces of a ramp that follow a first one and are like it: what was decided once holds for all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Run {
+    left: u32,
+    count: u32,
+    /// What a piece adds to v².
+    change: i64,
+}
+
+impl Run {
+    /// Nothing follows.
+    pub const NONE: Self = Self { left: 0, count: 0, change: 0 };
+
+    /// The next piece, after this v².
+    #[inline]
+    pub fn next(&mut self, squared: SpeedSquared) -> Option<Piece> {
+        self.left = self.left.checked_sub(1)?;
+        Some(Piece { count: self.count, end: squared.wrapping_add_signed(self.change), kind: Kind::Ramp })
+    }
+
+    /// What may follow a piece that was chosen at this v² for a wish.
+    pub fn after(piece: &Piece, limits: &Limits, squared: SpeedSquared, wish: Wish) -> Self {
+        let Piece { count, end, kind } = *piece;
+        let change = limits.growth.saturating_mul(count.into());
+        if kind != Kind::Ramp || count == 1 {
+            return Self::NONE;
+        }
+        let rises = end > squared;
+        let left = match (wish, rises) {
+            // Longer blocks are possible when v² has grown by half.
+            (Wish::Speed(speed), true) => (square(speed).saturating_sub(end) / change).min(end / change / 2),
+            (Wish::To(pulses), _) if limits.shape == Shape::Trapezoid => {
+                // Braking to come back may take more pulses than there are.
+                let Some(left) = pulses.checked_sub(count.into()) else { return Self::NONE };
+                let ceiling = limits.ceiling(Distance::Pulses(left << 32));
+                let blocks = if rises {
+                    // With every block the ceiling comes down as much as v² rises.
+                    let top = square(limits.top).saturating_sub(end).min(ceiling.saturating_sub(end) / 2);
+                    (top / change).min(end / change / 2)
+                } else if end == ceiling {
+                    (end / change).saturating_sub(1 << SHARE_BITS)
+                } else {
+                    0
+                };
+                blocks.min(left / u64::from(count))
+            }
+            _ => 0,
+        };
+        let change = if rises { change as i64 } else { -(change as i64) };
+        let last = end.wrapping_add_signed(change.wrapping_mul(left as i64));
+        if left == 0 || longest(limits.scale, last) < count {
+            return Self::NONE;
+        }
+        Self { left: left.min(u32::MAX.into()) as u32, count, change }
+    }
+}
+
 /// What the next pulses are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wish {
@@ -189,6 +253,7 @@ pub(crate) fn entry(limits: &Limits, pulses: u64) -> Speed {
 
 /// The next piece on the way to a target `pulses` ahead, the started one included, or `None` if the axis
 /// is too fast to stop there.
+#[inline]
 pub(crate) fn toward(limits: &Limits, now: Now, pulses: u64) -> Option<Piece> {
     let distance = Distance::Pulses(((pulses - 1) << 32) + now.rest);
     let ceiling = limits.ceiling(distance);
@@ -199,6 +264,7 @@ pub(crate) fn toward(limits: &Limits, now: Now, pulses: u64) -> Option<Piece> {
 }
 
 /// The next piece on the way to a speed.
+#[inline]
 pub(crate) fn at_speed(limits: &Limits, now: Now, speed: Speed) -> Piece {
     piece(limits, now, square(speed.max(limits.scale.slowest())), None)
 }
@@ -223,6 +289,7 @@ fn part(growth: Growth, rest: u64) -> u64 {
     ((u128::from(growth) * u128::from(rest)) >> 32) as u64
 }
 
+#[inline]
 fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distance, SpeedSquared)>) -> Piece {
     let (pulses, distance, ceiling) = end.unwrap_or((u64::MAX, Distance::Endless, SpeedSquared::MAX));
     let Now { squared, rest } = now;

@@ -56,10 +56,10 @@ impl Scale {
         ((1u128 << (self.bits + FRACTION_BITS)) / speed as u128) as u64
     }
 
-    /// The same to 31 bits, for ramps, where it is needed once a block.
+    /// The same to 31 bits, for ramps.
     #[inline]
-    pub(crate) const fn quick_spacing(self, speed: Speed) -> SubTicks {
-        ((1u64 << 63) / speed as u64) << (self.bits + FRACTION_BITS - 63)
+    pub(crate) const fn quick_spacing(self, pace: Pace) -> SubTicks {
+        pace.inverse << (self.bits + FRACTION_BITS - 63)
     }
 
     /// Mean spacing of a stretch that begins and ends at these speeds with constant acceleration.
@@ -86,6 +86,59 @@ pub fn root(squared: SpeedSquared) -> Speed {
     squared.isqrt() as Speed
 }
 
+/// A speed with what takes long to find from it. A block begins with the pace with which the one before
+/// ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pace {
+    pub speed: Speed,
+    /// v² itself, of which `speed` may be the rounded root.
+    pub squared: SpeedSquared,
+    /// 2⁶³ / v, 0 for standstill.
+    inverse: u64,
+}
+
+impl Pace {
+    /// Standstill.
+    pub const STILL: Self = Self { speed: 0, squared: 0, inverse: 0 };
+
+    /// The pace of a speed that is not 0.
+    pub const fn of(speed: Speed) -> Self {
+        Self { speed, squared: square(speed), inverse: (1 << 63) / speed as u64 }
+    }
+
+    /// The pace of a square that is not 0.
+    pub fn of_square(squared: SpeedSquared) -> Self {
+        Self { squared, ..Self::of(root(squared)) }
+    }
+
+    /// The pace of another square, quickly if it is near.
+    #[inline]
+    pub fn next(self, squared: SpeedSquared) -> Self {
+        if squared == self.squared {
+            return self;
+        }
+        if squared.abs_diff(self.squared) > self.squared >> 5 {
+            return Self::of_square(squared);
+        }
+        // v + h − h²/2v with h = (v₁² − v²)/2v, then Newton's method with the reciprocal of the present
+        // speed: every step leaves 1/64 of the error.
+        let times_inverse = |value: i64| ((i128::from(value) * i128::from(self.inverse)) >> 64) as i64;
+        let first = times_inverse(squared.wrapping_sub(square(self.speed)) as i64);
+        let second = times_inverse(first * first);
+        let mut speed = u64::from(self.speed).wrapping_add_signed(first - second);
+        loop {
+            let error = squared.wrapping_sub(speed * speed) as i64;
+            if (0..=2 * speed as i64).contains(&error) {
+                break;
+            }
+            let step = times_inverse(error);
+            // Rounded down; from below the last step may be 0.
+            speed = speed.wrapping_add_signed(if step == 0 { 1 } else { step });
+        }
+        Self { squared, ..Self::of(speed as Speed) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -96,10 +149,26 @@ mod tests {
             let scale = Scale::new(bits);
             for speed in [scale.slowest(), 1 << 20, 123_456_789, MAX_SPEED] {
                 let exact = scale.spacing(speed);
-                let quick = scale.quick_spacing(speed);
+                let quick = scale.quick_spacing(Pace::of(speed));
                 assert!(exact.abs_diff(quick) <= (exact >> 31) + 1, "{bits} {speed} {exact} {quick}");
                 let mean = scale.mean_spacing(speed, speed);
                 assert!(exact.abs_diff(mean) <= (exact >> 31) + 1, "{bits} {speed} {exact} {mean}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_next_pace_has_the_exact_root() {
+        for speed in [2, 3, 100, 65_535, 1 << 20, 123_456_789, MAX_SPEED - 1, MAX_SPEED] {
+            let pace = Pace::of(speed);
+            let most = pace.squared >> 5;
+            for part in 0..=1000u64 {
+                let change = (u128::from(most) * u128::from(part) / 1000) as u64;
+                for squared in [pace.squared - change, pace.squared + change, pace.squared / 7 + part] {
+                    if squared != 0 {
+                        assert_eq!(pace.next(squared), Pace::of_square(squared), "{speed} {squared}");
+                    }
+                }
             }
         }
     }

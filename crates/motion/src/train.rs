@@ -183,8 +183,12 @@ impl Train {
     /// smaller one of the count and the room.
     pub fn expand(&self, edges: &mut [Ticks]) -> usize {
         let count = edges.len().min(self.count as usize);
-        for (slot, edge) in edges[..count].iter_mut().zip(self.edges()) {
-            *slot = edge;
+        let Edges { ticks, mut offset, mut interval, mut add, jerk, .. } = self.edges();
+        for edge in &mut edges[..count] {
+            offset = offset.wrapping_add(interval);
+            interval = interval.wrapping_add(add);
+            add = add.wrapping_add(jerk);
+            *edge = ticks + (offset >> FRACTION_BITS);
         }
         count
     }
