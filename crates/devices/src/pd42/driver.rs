@@ -90,6 +90,7 @@ impl Driver {
             return;
         }
         let first = self.full_step == i64::MIN;
+        let steps = if first { 1 } else { steps };
         self.full_step = full_step;
         self.fresh = self.fresh.saturating_add(steps as u32);
         let share = i32::from(load) * i32::from(FULL_CURRENT) / i32::from(current.max(1));
