@@ -1,6 +1,6 @@
 //! Curves in bounded memory: a fixed number of buckets of time that double in width when they run out.
 
-use motion::{Ticks, Train, train::FRACTION_BITS};
+use motion::{Moment, SubTicks, Ticks, Train, train::FRACTION_BITS};
 
 /// Most buckets of a curve. A plot is about 800 points wide.
 pub(super) const MAX_BUCKETS: usize = 2048;
@@ -118,7 +118,7 @@ pub(super) struct Curves {
     pub buckets: Buckets<Motion>,
     position: i64,
     /// When the last pulse was, and its spacing in clocks.
-    last: Option<(Ticks, f64)>,
+    last: Option<(Moment, f64)>,
 }
 
 impl Curves {
@@ -138,7 +138,7 @@ impl Curves {
     pub fn add(&mut self, train: &Train) {
         let pause = match self.last {
             // One spacing may be longer than the last without a rest between.
-            Some((end, spacing)) => train.start.ticks.saturating_sub(end) as f64 > 2.0 * spacing,
+            Some((end, spacing)) => train.start.ticks.saturating_sub(end.ticks) as f64 > 2.0 * spacing,
             None => true,
         };
         if pause {
@@ -146,7 +146,7 @@ impl Curves {
         }
         // A train may begin anywhere between the pulse before and its own first one.
         let first = match self.last {
-            Some((end, _)) => (train.edge(1).saturating_sub(end) as f64).max(1.0),
+            Some((end, _)) => clocks(train.moment(1).since(end).unwrap_or(0)),
             None => spacing(train, 1),
         };
         let spacing = |pulse| if pulse == 1 { first } else { spacing(train, pulse) };
@@ -171,14 +171,14 @@ impl Curves {
             done = count;
         }
         self.position += sign * i64::from(train.count);
-        self.last = Some((end, spacing(train.count)));
+        self.last = Some((train.moment(train.count), spacing(train.count)));
     }
 
     /// The axis stood still from its last pulse until `until`.
     pub fn rest(&mut self, until: Ticks) {
         self.buckets.reach(until);
         if let Some((end, spacing)) = self.last.take() {
-            let stopped = end + (spacing / 2.0) as Ticks;
+            let stopped = end.ticks + (spacing / 2.0) as Ticks;
             self.put(stopped.min(until), 0.0);
         }
         self.put(until, 0.0);
@@ -186,7 +186,7 @@ impl Curves {
 
     /// The recording ends, maybe in the middle of a movement.
     pub fn end(&mut self, at: Ticks) {
-        if self.last.is_none_or(|(end, spacing)| at.saturating_sub(end) as f64 > 2.0 * spacing) {
+        if self.last.is_none_or(|(end, spacing)| at.saturating_sub(end.ticks) as f64 > 2.0 * spacing) {
             self.rest(at);
         }
     }
@@ -203,7 +203,11 @@ impl Curves {
 /// The spacing before a pulse, in clocks.
 fn spacing(train: &Train, pulse: u32) -> f64 {
     let before = train.offset(pulse - 1);
-    let spacing = train.offset(pulse).wrapping_sub(before);
+    clocks(train.offset(pulse).wrapping_sub(before))
+}
+
+/// A spacing in clocks; at least one, whatever was lost in rounding.
+fn clocks(spacing: SubTicks) -> f64 {
     (spacing as f64 / (1_u64 << FRACTION_BITS) as f64).max(1.0)
 }
 
@@ -235,7 +239,7 @@ impl Buckets<Levels> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use motion::{Direction, Moment};
+    use motion::Direction;
 
     fn train(start: Ticks, interval: u64, count: u32, direction: Direction) -> Train {
         Train { start: Moment::at(start), interval: interval << 32, add: 0, jerk: 0, count, direction }
