@@ -107,7 +107,7 @@ fn parameter(command: Command) -> Option<&'static Parameter> {
         },
         _ => return None,
     };
-    Parameter::find(table, command.kind).map(|(_, entry)| entry)
+    table.find(command.kind)
 }
 
 /// The text of [`PARAMETERS_FILE`].
@@ -144,7 +144,7 @@ mod tests {
         check("SAP 99, 0, 5", Some("the module skips this: it knows no such type"));
         check("SAP 5, 1, 100", Some("the module skips this: motor, bank or value is out of range"));
         check("ROL 0, 51200", Some("the module skips this: motor, bank or value is out of range"));
-        check("SIO 3, 2, 1", Some("the module skips this: motor, bank or value is out of range"));
+        check("SIO 3, 2, 1", Some("the module skips this: it knows no such type"));
         check("SGP 42, 2, -1", None);
         check(
             "SGP GPTelegramPauseTime, 0, 256",

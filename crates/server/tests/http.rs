@@ -153,12 +153,12 @@ fn the_stream_sends_thirty_states_a_second() {
         }
         let stream = TcpStream::connect(address).unwrap();
         stream.set_read_timeout(Some(PATIENCE)).unwrap();
-        tungstenite::client(request, stream).map(|(socket, _)| socket)
+        Some(tungstenite::client(request, stream).ok()?.0)
     };
-    assert!(attempt("/api/devices/a/stream", None).is_err());
-    assert!(attempt("/api/devices/a/stream?token=wrong", None).is_err());
-    assert!(attempt("/api/devices/b/stream", Some(TOKEN)).is_err());
-    assert!(attempt("/api/devices/a", Some(TOKEN)).is_err(), "no WebSocket there");
+    assert!(attempt("/api/devices/a/stream", None).is_none());
+    assert!(attempt("/api/devices/a/stream?token=wrong", None).is_none());
+    assert!(attempt("/api/devices/b/stream", Some(TOKEN)).is_none());
+    assert!(attempt("/api/devices/a", Some(TOKEN)).is_none(), "no WebSocket there");
     assert_eq!(call(address, "GET", "/api/devices/a/stream", "").0, 400);
 
     let query = format!("/api/devices/a/stream?token={TOKEN}");
