@@ -2,6 +2,7 @@
 
 use crate::{Failure, Outcome, args::RunArgs, programs};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use protocol::tmcl::Status;
 use sim::{
     Bench, DeviceConfig, RunOptions, RunResult, StopReason, VirtualDevice,
     record::{self, RecordError},
@@ -50,6 +51,15 @@ pub fn run(args: RunArgs) -> Outcome {
     let result = result.map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
     device.finish_recordings()?;
 
+    while let Some(notice) = device.take_notice() {
+        let command = tmcl::isa::instruction(notice.opcode).and_then(|entry| entry.mnemonic).unwrap_or("?");
+        eprintln!(
+            "warning: {}: {command} at address {} was passed over: {}",
+            args.program.display(),
+            notice.counter,
+            Status(notice.status)
+        );
+    }
     programs::show(&if args.json { serde_json::to_string(&result)? + "\n" } else { report(&result) })?;
     if result.stop_reason == StopReason::Error {
         let counter = device.program(0).map_or(0, |program| program.counter);

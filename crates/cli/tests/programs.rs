@@ -38,6 +38,16 @@ fn a_run_moves_the_axis() {
 }
 
 #[test]
+fn commands_that_are_passed_over_are_reported() {
+    let directory = directory(&[("wrong.tmc", "SAP 5, 0, 10000\nMVP ABS, 0, 10\nWAIT POS, 0, 0\nSTOP\n")]);
+    let (status, stdout, stderr) = outcome(&directory, &["run", "wrong.tmc", "--device", "pd42-1140"]);
+    assert_eq!(status, 0);
+    assert!(stdout.contains("axis 0: position 10"), "{stdout}");
+    let expected = "warning: wrong.tmc: SAP at address 0 was passed over: invalid value (4)\n";
+    assert!(stderr.ends_with(expected), "{stderr}");
+}
+
+#[test]
 fn the_time_of_a_run_is_bounded() {
     let directory = directory(&[("loop.tmc", "l: JA l\n")]);
     let arguments = ["run", "loop.tmc", "--device", "pd42-1140", "--json", "--for"];

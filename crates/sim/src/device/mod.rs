@@ -17,7 +17,7 @@ use crate::{
     flash::SharedFlash,
     record::{Mark, RecordError, RecordInfo, Recorder},
 };
-use devices::{AxisState, Controller, Drive, Pin, PinKind, Port, ProgramState};
+use devices::{AxisState, Controller, Drive, Notice, Pin, PinKind, Port, ProgramState};
 use motion::Ticks;
 use schedule::Schedule;
 use world::World;
@@ -307,6 +307,11 @@ impl VirtualDevice {
     /// The state of a program by its number; `None` past the last.
     pub fn program(&self, index: usize) -> Option<ProgramState> {
         self.controller.program(index)
+    }
+
+    /// The next command that a program passed over; only the first few are kept.
+    pub fn take_notice(&mut self) -> Option<Notice> {
+        self.controller.take_notice()
     }
 
     /// The states of all programs.
