@@ -30,10 +30,7 @@ fuzz_target!(|data: &[u8]| {
                 for command in chunk.as_chunks::<7>().0 {
                     let &[opcode, kind, motor, value @ ..] = command;
                     let value = i32::from_be_bytes(value);
-                    device.receive(
-                        Port::Usb,
-                        &Request { address: 1, opcode, kind, motor, value }.emit().0,
-                    );
+                    device.receive(Port::Usb, &Request { address: 1, opcode, kind, motor, value }.emit().0);
                 }
             }
             5 => {

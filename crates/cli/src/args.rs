@@ -2,7 +2,7 @@
 
 use clap::{Args as Group, Parser, Subcommand};
 use devices::Model;
-use sim::{Endpoint, TimedInput};
+use sim::{Endpoint, TimedInput, config::is_name};
 use std::{path::PathBuf, str::FromStr};
 
 /// Virtual stepper motion controllers, and the tools for their programs.
@@ -170,11 +170,4 @@ const MAX_RUN_S: f64 = 1e9;
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds| (0.0..=MAX_RUN_S).contains(seconds));
     seconds.ok_or_else(|| format!("a time is a number of seconds from 0 to {MAX_RUN_S}"))
-}
-
-/// What a bench file takes for a name, too: a name is also a file's name and a part of a URL.
-fn is_name(name: &str) -> bool {
-    !name.starts_with('.')
-        && (1..=64).contains(&name.len())
-        && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))
 }

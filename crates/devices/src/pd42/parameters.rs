@@ -163,7 +163,7 @@ impl<F: Flash> Pd42<F> {
         }
         if bank == INTERRUPT_BANK {
             self.memory.interrupts.set(number, value);
-            self.set_timer(number, value as u32);
+            self.set_timer(number);
             return Ok(());
         }
         let before = self.memory.module.get(number);

@@ -182,7 +182,7 @@ impl<F: Flash> Pd42<F> {
     }
 
     /// A timer's period was set.
-    pub fn set_timer(&mut self, number: u8, _period_ms: u32) {
+    pub fn set_timer(&mut self, number: u8) {
         if let Some(timer) = self.program.timers.get_mut(usize::from(number)) {
             *timer = None;
             let due = self.timer_period(number).map(|period| self.now.saturating_add(period));

@@ -222,8 +222,8 @@ fn axis_config(
     Ok(config)
 }
 
-/// A name is also a file's name and a part of a URL.
-fn is_name(name: &str) -> bool {
+/// Whether a device can be called so: a name is also a file's name and a part of a URL.
+pub fn is_name(name: &str) -> bool {
     !name.starts_with('.')
         && (1..=64).contains(&name.len())
         && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))

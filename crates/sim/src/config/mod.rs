@@ -6,7 +6,7 @@ mod file;
 mod tests;
 
 pub use endpoint::{Endpoint, EndpointError};
-pub use file::BenchError;
+pub use file::{BenchError, is_name};
 
 use crate::machine::fitting::fitting;
 use devices::Model;
