@@ -1,8 +1,8 @@
 //! Random moves, every pulse of which is checked against an oracle that shares nothing with the kernel.
 //!
 //! 100,000 moves on every run; `PULSETRAIN_MOVES=10000000 cargo test -p motion --test moves` does more.
-//! `PULSETRAIN_SEED=n` plays one move alone. A failure is printed as the shortest list of calls that
-//! still fails.
+//! `PULSETRAIN_SEED=n` begins with that move, and plays it alone if no number of moves is given. A failure
+//! is printed as the shortest list of calls that still fails.
 
 mod oracle;
 mod play;
@@ -57,17 +57,14 @@ fn report(mut scenario: Scenario) -> String {
 
 #[test]
 fn moves_are_exact() {
-    if let Some(seed) = number("PULSETRAIN_SEED") {
-        let scenario = Scenario::random(seed);
-        assert!(judge(&scenario, None).is_ok(), "{}", report(scenario));
-        return;
-    }
-    let moves = number("PULSETRAIN_MOVES").unwrap_or(MOVES);
+    let first_seed = number("PULSETRAIN_SEED");
+    let moves = number("PULSETRAIN_MOVES").unwrap_or(if first_seed.is_some() { 1 } else { MOVES });
+    let first_seed = first_seed.unwrap_or(0);
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u64);
     let failed = AtomicBool::new(false);
     let run = |first: u64| {
         let (mut all, mut arrived) = (Outcome::default(), 0);
-        for seed in (first..moves).step_by(threads as usize) {
+        for seed in (first..moves).step_by(threads as usize).map(|n| first_seed + n) {
             if failed.load(Ordering::Relaxed) {
                 break;
             }
@@ -97,5 +94,5 @@ fn moves_are_exact() {
         }
     });
     println!("{moves} moves, {arrived} to a target, {} pulses; {:?}", all.pulses, all.extremes);
-    assert!(arrived > moves / 2, "most moves end on a target");
+    assert!(moves < 100 || arrived > moves / 2, "most moves end on a target");
 }

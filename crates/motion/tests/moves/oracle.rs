@@ -196,6 +196,9 @@ const RESOLUTION: u64 = 1 << 12;
 /// A change finds the axis at a speed that is off by this part of a velocity quantum.
 const KICK: f64 = 1.0 / 32.0;
 
+/// The part of a pulse by which the way to a stop may be too short.
+const MISS: f64 = 1.0 / 4096.0;
+
 /// Rounding of the oracle itself.
 const EXACT: f64 = 1.0 + 1e-9;
 
@@ -416,7 +419,7 @@ impl Oracle {
             let (early, late) = (reference.fast.1 - elapsed, elapsed - reference.slow.1);
             let off = early.max(late) / time;
             self.extremes.time = self.extremes.time.max(off);
-            let room = if reference.decay == 0.0 { 0.01 } else { 1.0 } + 1e-6 * elapsed / time;
+            let room = if reference.decay == 0.0 { 0.01 } else { 1.5 } + 1e-6 * elapsed / time;
             ensure(off <= room, || format!("{off} spacings off the ideal ramp"))?;
         }
 
@@ -494,7 +497,8 @@ impl Oracle {
         let allowed = motion.greatest_acceleration() + motion.greatest_growth_quantum();
         let gone = at.since(motion.since).map_or(0.0, clocks);
         let speed = 1.0 / clocks(spacing) - allowed * (clocks(spacing) / 2.0 + gone);
-        let limit = self.physics.stop.max(motion.unavoidable) * NEARLY + motion.quantum;
+        let stop = self.physics.stop.max(motion.unavoidable);
+        let limit = (stop * stop + 2.0 * allowed * MISS).sqrt() * NEARLY + motion.quantum;
         ensure(speed <= limit, || format!("stands still from {speed} pulses a clock, {limit} at the most"))
     }
 
