@@ -327,8 +327,7 @@ impl Axis {
     /// Finds the next leg, or comes to rest.
     fn plan(&mut self) {
         if let Some(piece) = self.run.next(self.pace.squared) {
-            self.leg = Some(self.leg_of(piece));
-            return;
+            return self.go(piece);
         }
         // Twice at the most: coming to rest may be the start of a motion the other way.
         for _ in 0..2 {
@@ -337,8 +336,7 @@ impl Axis {
             }
             match self.next_piece() {
                 Some(piece) => {
-                    self.leg = Some(self.leg_of(piece));
-                    return;
+                    return self.go(piece);
                 }
                 None => self.rest(),
             }
@@ -414,8 +412,8 @@ impl Axis {
         Some(piece)
     }
 
-    #[inline]
-    fn leg_of(&self, piece: Piece) -> Leg {
+    /// Sets out on a piece.
+    fn go(&mut self, piece: Piece) {
         let Piece { count, end, kind } = piece;
         let scale = self.limits.scale;
         let ends = [self.pace, self.pace.next(end)];
@@ -433,7 +431,7 @@ impl Axis {
                 }
             }
         };
-        Leg { train, ends, last: train.moment(count), kind }
+        self.leg = Some(Leg { train, ends, last: train.moment(count), kind });
     }
 
     fn still(&self) -> Train {
