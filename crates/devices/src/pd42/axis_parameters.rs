@@ -87,7 +87,7 @@ parameters! {
         176 SLOPE_LOW APSlopeControlLowSide, "Slope control low side" [0, 3] RW = 3 ""
             "Slope of the driver's low side." chopper_parameters_are_kept;
         177 SHORT_PROTECTION_OFF APShortProtectionDisable, "Short protection disable" [0, 1] RW = 0 ""
-            "1 switches the short to ground protection off." chopper_parameters_are_kept;
+            "1 switches the short to ground protection off." ap_177_short_protection;
         178 SHORT_TIMER APShortDetectionTimer, "Short detection timer" [0, 3] RW = 0 ""
             "How long a short is watched: 3.2, 1.6, 1.2 or 0.8 µs." chopper_parameters_are_kept;
         179 VSENSE APVsense, "Vsense" [0, 1] R = 1 ""

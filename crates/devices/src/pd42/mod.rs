@@ -162,6 +162,7 @@ impl<F: Flash> Pd42<F> {
         self.timer_zero = self.now.into();
         self.apply_limits();
         self.apply_blocks();
+        self.watch_shorts();
         self.start();
     }
 
@@ -310,6 +311,7 @@ impl<F: Flash> Controller for Pd42<F> {
             pin::STOP_R => self.inputs.right = on,
             pin::HOME => self.inputs.home = on,
             pin::ENC_N => self.null_channel(on, board),
+            pin::SHORT_A..=pin::OPEN_B => self.coil_changed(number, on),
             _ => return,
         }
         self.input_changed(number, on);

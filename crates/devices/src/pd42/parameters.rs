@@ -97,6 +97,7 @@ impl<F: Flash> Pd42<F> {
                 self.end_search();
                 self.resume_mode();
             }
+            ap::SHORT_PROTECTION_OFF => self.watch_shorts(),
             ap::RIGHT_SWITCH_OFF | ap::LEFT_SWITCH_OFF | ap::SOFT_STOP => self.apply_blocks(),
             ap::ENCODER_POSITION => self.encoders.internal.set_position(value),
             ap::EXTERNAL_ENCODER => self.encoders.external.set_position(value),

@@ -15,6 +15,9 @@ pub mod number {
     pub const OUT0: usize = 7;
     pub const OUT1: usize = 8;
     pub const PULLUPS: usize = 9;
+    pub const SHORT_A: usize = 10;
+    // SHORT_B and OPEN_A lie between.
+    pub const OPEN_B: usize = 13;
 }
 
 /// Encoder channels of the board.
@@ -29,7 +32,8 @@ const fn pin(name: &'static str, kind: PinKind, wiring: Wiring) -> Pin {
     Pin { name, kind, wiring, unit: "", scale: 1, rest: 0 }
 }
 
-/// The pins. Supply and temperature are what the module measures of itself.
+/// The pins. Supply and temperature are what the module measures of itself, shorts and open loads what
+/// its driver finds at the motor's coils.
 pub static PINS: &[Pin] = &[
     pin("STOP_L", PinKind::Input, Wiring::NegativeLimit(0)),
     pin("STOP_R", PinKind::Input, Wiring::PositiveLimit(0)),
@@ -42,4 +46,8 @@ pub static PINS: &[Pin] = &[
     pin("OUT0", PinKind::Output, Wiring::Free),
     pin("OUT1", PinKind::Output, Wiring::Free),
     Pin { rest: 1, ..pin("PULLUPS", PinKind::Output, Wiring::Free) },
+    pin("SHORT_A", PinKind::Input, Wiring::Free),
+    pin("SHORT_B", PinKind::Input, Wiring::Free),
+    pin("OPEN_A", PinKind::Input, Wiring::Free),
+    pin("OPEN_B", PinKind::Input, Wiring::Free),
 ];

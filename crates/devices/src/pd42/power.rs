@@ -2,7 +2,7 @@
 //! (axis parameters 6, 7, 150, 167 to 183, 200, 204, 208, 214; manual, section 12.1, V1.35).
 
 use super::driver::{self, CoolStep, Driver, FULL_CURRENT, current_of};
-use super::{Pd42, TEN_MILLISECONDS, ap, gp};
+use super::{Pd42, TEN_MILLISECONDS, ap, gp, pin};
 use crate::board::{Board, Drive};
 use crate::flash::Flash;
 use ::motion::{Ticks, tmc429};
@@ -23,6 +23,10 @@ pub struct Power {
     undervoltage: bool,
     overheated: bool,
     warm: bool,
+    /// Faults of the coils, as the pins from `SHORT_A` on.
+    coils: [bool; 4],
+    /// The driver has shut down because of a short.
+    shorted: bool,
     /// When the motor came to rest; `None` while it moves.
     rest_since: Option<Ticks>,
     /// The next change of current at rest.
@@ -37,6 +41,8 @@ impl Power {
             undervoltage: false,
             overheated: false,
             warm: false,
+            coils: [false; 4],
+            shorted: false,
             rest_since: Some(0),
             change_at: None,
             drive: None,
@@ -45,13 +51,13 @@ impl Power {
 
     /// As after power-up; the outside stays as it is.
     pub fn restart(&mut self, now: Ticks) {
-        let Self { undervoltage, overheated, warm, .. } = *self;
-        *self = Self { undervoltage, overheated, warm, rest_since: Some(now), ..Self::new() };
+        let Self { undervoltage, overheated, warm, coils, .. } = *self;
+        *self = Self { undervoltage, overheated, warm, coils, rest_since: Some(now), ..Self::new() };
     }
 
     /// Whether supply and driver let the motor move.
     pub const fn allows_motion(&self) -> bool {
-        !self.undervoltage && !self.overheated
+        !self.undervoltage && !self.overheated && !self.shorted
     }
 
     pub const fn motor_started(&mut self) {
@@ -188,19 +194,39 @@ impl<F: Flash> Pd42<F> {
         }
     }
 
+    /// The driver finds a fault of a coil, or that it is gone.
+    pub fn coil_changed(&mut self, number: usize, on: bool) {
+        self.power.coils[number - pin::SHORT_A] = on;
+        self.watch_shorts();
+    }
+
+    /// A short shuts the driver down while it lasts, unless axis parameter 177 forbids it.
+    pub fn watch_shorts(&mut self) {
+        let [short_a, short_b, ..] = self.power.coils;
+        let shut = (short_a || short_b) && self.memory.axis.get(ap::SHORT_PROTECTION_OFF) == 0;
+        if shut && !self.power.shorted {
+            self.power.shorted = true;
+            self.stop_hard();
+            self.vm.set_error(Condition::Shutdown);
+        }
+        self.power.shorted = shut;
+    }
+
     /// Axis parameter 208.
     pub fn driver_flags(&self) -> i32 {
         let moving = self.axis.is_moving();
         let still = self.power.rest_since.is_some_and(|since| self.now - since >= STANDSTILL_CLOCKS);
-        let open = moving && self.power.current() == 0;
+        let [short_a, short_b, open_a, open_b] = self.power.coils;
+        let protected = self.memory.axis.get(ap::SHORT_PROTECTION_OFF) == 0;
+        let idle = moving && self.power.current() == 0;
         let bits = [
             moving && self.power.driver.reading() == 0,
             self.power.overheated,
             self.power.warm,
-            false, // Short to ground A: the board has no way to make one.
-            false, // Short to ground B.
-            open,
-            open,
+            short_a && protected,
+            short_b && protected,
+            moving && (idle || open_a),
+            moving && (idle || open_b),
             still,
         ];
         bits.iter().rev().fold(0, |flags, &bit| flags << 1 | i32::from(bit))

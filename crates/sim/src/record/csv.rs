@@ -22,7 +22,7 @@ use std::{io::Write, path::PathBuf};
 /// How much is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detail {
-    /// Events, and the axes [`SAMPLES_PER_SECOND`] times a second.
+    /// Events, and the axes every millisecond.
     Samples,
     /// Also every single pulse.
     Edges,

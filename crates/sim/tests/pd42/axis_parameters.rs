@@ -384,7 +384,7 @@ fn ap_160_and_161_steps() {
 #[test]
 fn chopper_parameters_are_kept() {
     let mut rig = Rig::new();
-    for number in [162, 163, 164, 165, 166, 175, 176, 177, 178, 184] {
+    for number in [162, 163, 164, 165, 166, 175, 176, 178, 184] {
         let entry = ap::TABLE.find(number).unwrap();
         for value in [entry.low, entry.high] {
             rig.sap(number, value);
@@ -703,6 +703,37 @@ fn ap_208_driver_flags() {
     rig.sap(167, 0);
     rig.pass_ms(10);
     assert_eq!(rig.gap(208) & 0x60, 0x60, "no current flows");
+}
+
+#[test]
+fn ap_177_short_protection() {
+    for (pin, bit) in [("SHORT_A", 8), ("SHORT_B", 16)] {
+        let mut rig = running(500);
+        rig.pin(pin, true);
+        rig.pass_ms(1);
+        assert_eq!((rig.gap(3), rig.gap(208) & 0x7F, driver_current(&rig)), (0, bit, 0), "{pin}");
+        assert_eq!(rig.send(1, 0, 0, 500).0, Status::NOT_AVAILABLE.0);
+        rig.sap(177, 1);
+        rig.ok(1, 0, 0, 500);
+        rig.pass_ms(200);
+        assert_eq!((rig.gap(3), rig.gap(208)), (500, 0), "not protected: {pin}");
+        rig.sap(177, 0);
+        assert_eq!(rig.gap(3), 0);
+        rig.pin(pin, false);
+        rig.ok(1, 0, 0, 500);
+    }
+}
+
+#[test]
+fn open_loads_show_while_the_motor_turns() {
+    for (pin, bit) in [("OPEN_A", 0x20), ("OPEN_B", 0x40)] {
+        let mut rig = Rig::new();
+        rig.pin(pin, true);
+        assert_eq!(rig.gap(208) & 0x60, 0, "{pin}");
+        rig.ok(1, 0, 0, 500);
+        rig.pass_ms(100);
+        assert_eq!(rig.gap(208), bit, "{pin}");
+    }
 }
 
 #[test]
