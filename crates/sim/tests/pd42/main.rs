@@ -4,9 +4,11 @@
 mod axis_parameters;
 mod commands;
 mod control;
+mod driver;
 mod global_parameters;
 mod power;
 mod programs;
+mod reference_search;
 mod rig;
 mod settings;
 mod wire;

@@ -133,3 +133,13 @@ pub fn start(rig: &mut Rig, source: &str) {
     program(rig, source);
     rig.ok(129, 1, 0, 0);
 }
+
+/// A module whose motor runs at a steady speed.
+pub fn running(speed: i32) -> Rig {
+    let mut rig = Rig::new();
+    rig.sap(5, 2000);
+    rig.ok(1, 0, 0, speed);
+    rig.pass_ms(200);
+    assert_eq!(rig.gap(3), speed);
+    rig
+}
