@@ -35,13 +35,7 @@ impl Flags {
 
     /// The content of the flags after `left` was compared with `right`.
     const fn of(left: i32, right: i32) -> u16 {
-        if left < right {
-            BELOW
-        } else if left == right {
-            SAME
-        } else {
-            ABOVE
-        }
+        [BELOW, SAME, ABOVE][(left > right) as usize + (left >= right) as usize]
     }
 
     /// Sets all but the error flags.
