@@ -90,7 +90,7 @@ impl<F: Flash> Settings<F> {
         let storage = MapStorage::new(Adapter(flash), config, Cache::new_uncached());
         let mut settings = Self { storage, generations: [0; 2] };
         if settings.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
-            settings.now(|storage| storage.erase_all())?;
+            at_once(settings.storage.erase_all()).map_err(store_error)?;
             settings.generations = [0; 2];
         }
         let generations = settings.generations;
@@ -167,14 +167,6 @@ impl<F: Flash> Settings<F> {
     fn write(&mut self, key: u16, record: &[u8]) -> Result<(), StoreError> {
         let mut buffer = [0; BUFFER_BYTES];
         at_once(self.storage.store_item(&mut buffer, &key, &record)).map_err(store_error)
-    }
-
-    fn now<'a, R, W>(&'a mut self, work: W) -> Result<(), StoreError>
-    where
-        W: FnOnce(&'a mut Storage<F>) -> R,
-        R: Future<Output = Result<(), sequential_storage::Error<FlashError>>>,
-    {
-        at_once(work(&mut self.storage)).map_err(store_error)
     }
 }
 

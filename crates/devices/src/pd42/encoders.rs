@@ -127,9 +127,14 @@ fn passed_zero(before: i32, now: i32) -> Option<i32> {
 }
 
 impl<F: Flash> Pd42<F> {
+    /// Takes over the parameters; counts so far belong to the settings so far.
+    pub fn configure_encoders(&mut self, board: &mut dyn Board) {
+        self.encoders.update(board);
+        self.encoders.configure(&self.memory);
+    }
+
     /// The external null channel changes.
     pub fn null_channel(&mut self, high: bool, board: &mut dyn Board) {
-        self.inputs.null = high;
         self.encoders.external.null_event(board.encoder(channel::EXTERNAL), high);
     }
 

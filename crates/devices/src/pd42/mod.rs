@@ -61,7 +61,6 @@ struct Inputs {
     right: bool,
     home: bool,
     analog: bool,
-    null: bool,
 }
 
 /// The module.

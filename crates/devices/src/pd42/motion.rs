@@ -2,7 +2,7 @@
 //! (manual, sections 3.7.1 to 3.7.4, 3.7.13 and 7.1).
 
 use super::memory::Memory;
-use super::{Pd42, ap, gp, wire};
+use super::{Pd42, ap, gp};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::homing::{Search, Switches, reference};
@@ -257,7 +257,7 @@ impl<F: Flash> Pd42<F> {
             self.motion.awaited = false;
             self.raise(POSITION_REACHED);
             if let Some(port) = self.wire.event_port() {
-                self.send_event(port, wire::Event::PositionReached, board);
+                self.send_position_reached(port, board);
             }
         } else if stopped {
             self.vm.set_error(Condition::PositionError);

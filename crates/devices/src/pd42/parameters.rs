@@ -81,8 +81,6 @@ impl<F: Flash> Pd42<F> {
             }
             _ => {}
         }
-        // Counts so far belong to the settings so far.
-        self.encoders.update(board);
         self.memory.axis.set(number, value);
         match number {
             ap::MAX_SPEED | ap::MAX_ACCELERATION | ap::MIN_SPEED => self.apply_limits(),
@@ -99,10 +97,16 @@ impl<F: Flash> Pd42<F> {
             }
             ap::SHORT_PROTECTION_OFF => self.watch_shorts(),
             ap::RIGHT_SWITCH_OFF | ap::LEFT_SWITCH_OFF | ap::SOFT_STOP => self.apply_blocks(),
-            ap::ENCODER_POSITION => self.encoders.internal.set_position(value),
-            ap::EXTERNAL_ENCODER => self.encoders.external.set_position(value),
+            ap::ENCODER_POSITION => {
+                self.encoders.update(board);
+                self.encoders.internal.set_position(value);
+            }
+            ap::EXTERNAL_ENCODER => {
+                self.encoders.update(board);
+                self.encoders.external.set_position(value);
+            }
             ap::ENCODER_PRESCALER | ap::EXTERNAL_PRESCALER | ap::EXTERNAL_ENCODER_FUNCTIONS => {
-                self.encoders.configure(&self.memory);
+                self.configure_encoders(board);
             }
             _ => {}
         }
@@ -171,7 +175,6 @@ impl<F: Flash> Pd42<F> {
         if number == gp::module::CODE_PROTECTION && before & 1 != 0 && value & 1 == 0 {
             self.erase_program()?;
         }
-        self.encoders.update(board);
         let stored = self.memory.set_module(entry, value);
         self.stored(stored)?;
         match number {
@@ -180,7 +183,7 @@ impl<F: Flash> Pd42<F> {
             }
             gp::module::RANDOM => self.random = SeedableRng::seed_from_u64(value as u64),
             gp::module::SWITCH_POLARITY => self.apply_blocks(),
-            gp::module::REVERSE_SHAFT => self.encoders.configure(&self.memory),
+            gp::module::REVERSE_SHAFT => self.configure_encoders(board),
             _ => {}
         }
         Ok(())

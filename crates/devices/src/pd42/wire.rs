@@ -48,13 +48,6 @@ impl From<Status> for Response {
     }
 }
 
-/// What the module says unasked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Event {
-    /// The axis has reached its target (command 138).
-    PositionReached,
-}
-
 /// A request for events by command 138.
 #[derive(Clone, Copy, Debug)]
 struct Wanted {
@@ -319,13 +312,10 @@ impl<F: Flash> Pd42<F> {
         }
     }
 
-    /// Says something unasked.
-    pub fn send_event(&self, link: Link, event: Event, board: &mut dyn Board) {
-        match event {
-            Event::PositionReached => {
-                self.send_status(link, opcode::POSITION_REACHED_EVENT, Status::POSITION_REACHED, 1, board)
-            }
-        }
+    /// Says, unasked, that the axis has reached its target.
+    pub fn send_position_reached(&self, link: Link, board: &mut dyn Board) {
+        let status = Status::POSITION_REACHED;
+        self.send_status(link, opcode::POSITION_REACHED_EVENT, status, 1, board);
     }
 
     fn reply(&self, opcode: u8, status: Status, value: i32) -> Reply {
