@@ -50,6 +50,10 @@ pub trait Board {
     /// The counter of an encoder's decoder, as it stands now.
     fn encoder(&mut self, channel: usize) -> i32;
 
+    /// The level of a digital input or an index channel, as it is now. Inputs that the controller watches
+    /// announce their changes; this is for those that it looks at when it is asked.
+    fn digital(&mut self, pin: usize) -> bool;
+
     /// The load on the shaft now, in 1/1000 of the motor's pull-out torque at full current.
     fn load(&mut self, axis: usize) -> u16;
 

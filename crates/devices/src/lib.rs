@@ -17,5 +17,5 @@ pub mod settings;
 pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Notice, Pin, PinKind, ProgramRun, ProgramState, Wiring};
 #[cfg(feature = "std")]
-pub use models::{MODELS, Model, model};
+pub use models::{Language, MODELS, Model, model};
 pub use parameter::{Access, Parameter, Table};

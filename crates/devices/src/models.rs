@@ -5,12 +5,23 @@ extern crate alloc;
 use crate::{Controller, flash::Flash, pd42};
 use alloc::boxed::Box;
 
+/// The language of a controller's standalone programs.
+#[derive(Clone, Copy, Debug)]
+pub enum Language {
+    /// Trinamic's.
+    Tmcl,
+    /// The language of Performax and Commander.
+    Ascript(&'static ascript::Dialect),
+}
+
 /// A kind of controller that can be built.
 pub struct Model {
     /// Its name on the command line and in bench files.
     pub name: &'static str,
     /// Its maker's name and what it is, for people.
     pub title: &'static str,
+    /// What its programs are written in.
+    pub language: Language,
     /// Bytes of flash that it needs, a multiple of the page.
     pub flash_bytes: u32,
     /// Builds one that has just been switched on, at clock 0. `seed` is what its random numbers start
@@ -22,6 +33,7 @@ pub struct Model {
 pub static MODELS: &[Model] = &[Model {
     name: "pd42-1140",
     title: "Trinamic PD42-1140, TMCL firmware V1.47",
+    language: Language::Tmcl,
     flash_bytes: pd42::FLASH_BYTES,
     build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
 }];

@@ -6,7 +6,8 @@ use devices::{
 use motion::{Direction, Moment, Ticks, Train};
 
 /// The models of tests.
-pub static MODELS: &[Model] = &[Model { name: "test", title: "Test", flash_bytes: 8192, build }];
+pub static MODELS: &[Model] =
+    &[Model { name: "test", title: "Test", language: devices::Language::Tmcl, flash_bytes: 8192, build }];
 
 pub const CLOCK_HZ: u32 = 1_000_000;
 

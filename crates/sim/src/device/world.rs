@@ -268,6 +268,10 @@ impl Board for World {
         self.machine.encoder(channel)
     }
 
+    fn digital(&mut self, pin: usize) -> bool {
+        self.level(pin) != 0
+    }
+
     fn load(&mut self, axis: usize) -> u16 {
         self.machine.load_permille(axis)
     }
