@@ -20,8 +20,13 @@ pub const PATIENCE: Duration = Duration::from_secs(20);
 pub const TOKEN: &str = "test-token";
 
 /// Its only model.
-pub static PARROT: Model =
-    Model { name: "parrot", title: "says back what it hears", flash_bytes: 8192, build: parrot };
+pub static PARROT: Model = Model {
+    name: "parrot",
+    title: "says back what it hears",
+    language: devices::Language::Tmcl,
+    flash_bytes: 8192,
+    build: parrot,
+};
 
 const CLOCK_HZ: u32 = 1_000_000;
 
