@@ -49,8 +49,10 @@ pub struct Limits {
     pub start: Speed,
     /// Speed from which the axis may stand still at once.
     pub stop: Speed,
-    /// Acceleration and deceleration, the greatest of an S.
+    /// Acceleration, the greatest of an S.
     pub growth: Growth,
+    /// Deceleration, the greatest of an S.
+    pub fall: Growth,
     /// How a target is approached.
     pub shape: Shape,
 }
@@ -64,6 +66,7 @@ impl Limits {
             start: self.start.clamp(slowest, MAX_SPEED),
             stop: self.stop.clamp(slowest, MAX_SPEED),
             growth: self.growth.clamp(1, MAX_GROWTH),
+            fall: self.fall.clamp(1, MAX_GROWTH),
             ..self
         }
     }
@@ -79,7 +82,7 @@ impl Limits {
     /// Speed a pulse, in 2⁻³², that the soft approach takes away; all of it within one at the most.
     fn decay(&self) -> u64 {
         let top = u64::from(self.top);
-        let (whole, rest) = (self.growth / top, self.growth % top);
+        let (whole, rest) = (self.fall / top, self.fall % top);
         if whole >> 32 != 0 { 1 << 63 } else { ((whole << 31) + (rest << 31) / top).max(1) }
     }
 
@@ -89,11 +92,11 @@ impl Limits {
         match self.shape {
             // The S has a course of its own and does not come here.
             Shape::Trapezoid | Shape::SCurve { .. } => {
-                let rise = (u128::from(self.growth) * u128::from(distance)) >> 32;
+                let rise = (u128::from(self.fall) * u128::from(distance)) >> 32;
                 square(self.stop).saturating_add(u64::try_from(rise).unwrap_or(u64::MAX))
             }
             Shape::Soft => {
-                // The decay from the top speed takes the whole acceleration; above it, the parabola that
+                // The decay from the top speed takes the whole deceleration; above it, the parabola that
                 // goes on from there.
                 let decay = self.decay();
                 let speed = ((u128::from(decay) * u128::from(distance)) >> 64) as u64;
@@ -102,7 +105,7 @@ impl Limits {
                 }
                 let bend =
                     u64::try_from((u128::from(self.top) << 64) / u128::from(decay)).unwrap_or(u64::MAX);
-                let rise = (u128::from(self.growth) * u128::from(distance - bend.min(distance))) >> 32;
+                let rise = (u128::from(self.fall) * u128::from(distance - bend.min(distance))) >> 32;
                 let rise = u64::try_from(rise).unwrap_or(u64::MAX);
                 square(self.top).saturating_add(rise).max(square(self.stop))
             }
@@ -113,7 +116,7 @@ impl Limits {
     fn braking_pulses(&self, top: SpeedSquared) -> u64 {
         match self.shape {
             Shape::Trapezoid | Shape::SCurve { .. } => {
-                top.saturating_sub(square(self.stop)).div_ceil(self.growth)
+                top.saturating_sub(square(self.stop)).div_ceil(self.fall)
             }
             Shape::Soft if top <= square(self.stop) => 0,
             Shape::Soft => {
@@ -125,7 +128,7 @@ impl Limits {
     /// Rounding of v² that is not worth a reaction: far below a quantum of acceleration.
     fn slack(&self, squared: SpeedSquared) -> u64 {
         // Some steps of v, whose root a power of two above stands for.
-        (self.growth >> 12) + (8 << (u64::BITS - squared.leading_zeros()).div_ceil(2))
+        (self.fall >> 12) + (8 << (u64::BITS - squared.leading_zeros()).div_ceil(2))
     }
 }
 
@@ -191,11 +194,12 @@ impl Run {
     /// What may follow a piece that was chosen at this v² for a wish.
     pub fn after(piece: &Piece, limits: &Limits, squared: SpeedSquared, wish: Wish) -> Self {
         let Piece { count, end, kind } = *piece;
-        let change = limits.growth.saturating_mul(count.into());
         if kind != Kind::Ramp || count == 1 {
             return Self::NONE;
         }
         let rises = end > squared;
+        let [growth, fall] = [limits.growth, limits.fall].map(|growth| growth.saturating_mul(count.into()));
+        let change = if rises { growth } else { fall };
         let left = match (wish, rises) {
             // Longer blocks are possible when v² has grown by half.
             (Wish::Speed(speed), true) => (square(speed).saturating_sub(end) / change).min(end / change / 2),
@@ -204,9 +208,10 @@ impl Run {
                 let Some(left) = pulses.checked_sub(count.into()) else { return Self::NONE };
                 let ceiling = limits.ceiling(Distance::Pulses(left << 32));
                 let blocks = if rises {
-                    // With every block the ceiling comes down as much as v² rises.
-                    let top = square(limits.top).saturating_sub(end).min(ceiling.saturating_sub(end) / 2);
-                    (top / change).min(end / change / 2)
+                    // With every block v² rises and the ceiling comes down.
+                    let until_top = square(limits.top).saturating_sub(end) / growth;
+                    let until_ceiling = ceiling.saturating_sub(end) / growth.saturating_add(fall);
+                    until_top.min(until_ceiling).min(end / growth / 2)
                 } else if end == ceiling {
                     (end / change).saturating_sub(1 << SHARE_BITS)
                 } else {
@@ -277,8 +282,8 @@ pub(crate) fn brake(limits: &Limits, now: Now) -> Option<Piece> {
     }
     // The line through the first whole pulse at which standstill can be reached.
     let limits = Limits { shape: Shape::Trapezoid, ..*limits };
-    let first = part(limits.growth, now.rest);
-    let after = (now.squared - stop).saturating_sub(first).div_ceil(limits.growth);
+    let first = part(limits.fall, now.rest);
+    let after = (now.squared - stop).saturating_sub(first).div_ceil(limits.fall);
     let distance = Distance::Pulses((after << 32) + now.rest);
     let ceiling = limits.ceiling(distance);
     Some(piece(&limits, now, now.squared, Some((after + 1, distance, ceiling))))
@@ -293,7 +298,7 @@ fn part(growth: Growth, rest: u64) -> u64 {
 fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distance, SpeedSquared)>) -> Piece {
     let (pulses, distance, ceiling) = end.unwrap_or((u64::MAX, Distance::Endless, SpeedSquared::MAX));
     let Now { squared, rest } = now;
-    let growth = limits.growth;
+    let Limits { growth, fall, .. } = *limits;
     if rest == 1 << 32 && pulses > 1 {
         let on_ceiling = ceiling <= squared.saturating_add(limits.slack(squared));
         let whole = if on_ceiling && squared > square(limits.stop) {
@@ -308,9 +313,9 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
         } else if squared == top {
             cruise(limits, top, pulses)
         } else {
-            let most = block_length(squared - (squared >> 4), growth).min(longest(limits.scale, squared));
+            let most = block_length(squared - (squared >> 4), fall).min(longest(limits.scale, squared));
             shorten(most, pulses, |count| {
-                let to = squared.checked_sub(growth * u64::from(count))?;
+                let to = squared.checked_sub(fall * u64::from(count))?;
                 (to >= top && to <= limits.ceiling(distance.less(count.into()))).then_some(to)
             })
             .map(|(count, end)| Piece { count, end, kind: Kind::Ramp })
@@ -319,11 +324,10 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
             return piece;
         }
     }
-    let change = part(growth, rest);
     let wish = if squared < top {
-        squared.saturating_add(change).min(top)
+        squared.saturating_add(part(growth, rest)).min(top)
     } else {
-        squared.saturating_sub(change).max(top)
+        squared.saturating_sub(part(fall, rest)).max(top)
     };
     let after = match distance {
         Distance::Pulses(distance) => limits.ceiling(Distance::Pulses(distance - rest)),
@@ -336,7 +340,7 @@ fn piece(limits: &Limits, now: Now, top: SpeedSquared, end: Option<(u64, Distanc
 fn slow_down(limits: &Limits, squared: SpeedSquared, pulses: u64, distance: Distance) -> Option<Piece> {
     let (most, kind) = match limits.shape {
         Shape::Trapezoid | Shape::SCurve { .. } => {
-            (block_length(squared - (squared >> 4), limits.growth), Kind::Ramp)
+            (block_length(squared - (squared >> 4), limits.fall), Kind::Ramp)
         }
         Shape::Soft => (MAX_BLOCK, Kind::Glide),
     };

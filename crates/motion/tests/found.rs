@@ -5,12 +5,14 @@ use motion::{Axis, Direction, Goal, Limits, Shape, Train, tmc429};
 
 fn limits(divs: [u32; 2], [top, start, stop, acceleration]: [u32; 4], shape: Shape) -> Limits {
     let [pulse_div, ramp_div] = divs;
+    let growth = tmc429::growth(acceleration, pulse_div, ramp_div);
     Limits {
         scale: tmc429::scale(pulse_div),
         top: tmc429::speed(top),
         start: tmc429::speed(start),
         stop: tmc429::speed(stop),
-        growth: tmc429::growth(acceleration, pulse_div, ramp_div),
+        growth,
+        fall: growth,
         shape,
     }
 }

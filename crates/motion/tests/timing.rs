@@ -12,6 +12,7 @@ fn limits() -> Limits {
         start: tmc429::speed(1),
         stop: tmc429::speed(1),
         growth: tmc429::growth(100, 3, 7),
+        fall: tmc429::growth(100, 3, 7),
         shape: Shape::Trapezoid,
     }
 }

@@ -50,12 +50,14 @@ impl Motion {
 pub fn limits<F: Flash>(memory: &Memory<F>) -> Limits {
     let get = |number| memory.axis.get(number) as u32;
     let (pulse_div, ramp_div) = (get(ap::PULSE_DIVISOR), get(ap::RAMP_DIVISOR));
+    let growth = tmc429::growth(get(ap::MAX_ACCELERATION), pulse_div, ramp_div);
     Limits {
         scale: tmc429::scale(pulse_div),
         top: tmc429::speed(get(ap::MAX_SPEED)),
         start: tmc429::speed(1),
         stop: tmc429::speed(get(ap::MIN_SPEED)),
-        growth: tmc429::growth(get(ap::MAX_ACCELERATION), pulse_div, ramp_div),
+        growth,
+        fall: growth,
         shape: if memory.axis.get(ap::RAMP_MODE) == ramp_mode::SOFT { Shape::Soft } else { Shape::Trapezoid },
     }
 }

@@ -113,6 +113,7 @@ mod tests {
             start: tmc429::speed(1),
             stop: tmc429::speed(1),
             growth: tmc429::growth(500, 2, 5),
+            fall: tmc429::growth(500, 2, 5),
             shape: Shape::Trapezoid,
         };
         let mut axis = Axis::new(limits);

@@ -60,11 +60,15 @@ impl Course {
     fn toward(limits: &Limits, bend: Speed, now: Now, pulses: u64) -> Option<Self> {
         let from = root(now.squared);
         let end = (Way::from(pulses - 1) << FRACTION_BITS) + Way::from(now.rest);
-        let way = |low, high| Curve::new(limits.scale, limits.growth, bend, low, high).way();
-        if way(limits.stop, from) > end {
+        let rise = |high| Curve::new(limits.scale, limits.growth, bend, from, high).way();
+        let fall = |low, high| Curve::new(limits.scale, limits.fall, bend, low, high).way();
+        if fall(limits.stop, from) > end {
             return None;
         }
-        let fits = |cruise: Speed| way(from.min(cruise), from.max(cruise)) + way(limits.stop, cruise) <= end;
+        let fits = |cruise| {
+            let lead = if cruise < from { fall(cruise, from) } else { rise(cruise) };
+            lead + fall(limits.stop, cruise) <= end
+        };
         let cruise = if fits(limits.top) {
             limits.top
         } else if from > limits.top {
@@ -82,7 +86,7 @@ impl Course {
         if from <= limits.stop {
             return None;
         }
-        let way = Curve::new(limits.scale, limits.growth, bend, limits.stop, from).way();
+        let way = Curve::new(limits.scale, limits.fall, bend, limits.stop, from).way();
         let rest = Way::from(now.rest);
         let pulses = way.saturating_sub(rest).div_ceil(1 << FRACTION_BITS);
         let end = rest + (pulses << FRACTION_BITS);
@@ -91,19 +95,20 @@ impl Course {
 
     fn of(limits: &Limits, bend: Speed, wish: Wish, now: Now, speeds: [Speed; 3], end: Way) -> Self {
         let [from, cruise, last] = speeds;
-        let curve = |low, high| Curve::new(limits.scale, limits.growth, bend, low, high);
+        let rise = |low, high| Curve::new(limits.scale, limits.growth, bend, low, high);
+        let fall = |low, high| Curve::new(limits.scale, limits.fall, bend, low, high);
         let falls = cruise < from;
         Self {
             limits: *limits,
             wish,
-            lead: if falls { curve(cruise, from) } else { curve(from, cruise) },
+            lead: if falls { fall(cruise, from) } else { rise(from, cruise) },
             falls,
             cruise,
-            tail: curve(last, cruise),
+            tail: fall(last, cruise),
             end,
             next: Way::from(now.rest),
             here: Place { way: 0, lead: 0, cruised: 0, tail: 0, speed: from },
-            block: block_length(now.squared, limits.growth),
+            block: block_length(now.squared, if from < cruise { limits.growth } else { limits.fall }),
         }
     }
 
@@ -234,6 +239,6 @@ fn highest(mut fits_at: Speed, mut too_fast: Speed, fits: impl Fn(Speed) -> bool
 pub(crate) fn entry(limits: &Limits, bend: Speed, pulses: u64) -> Speed {
     let start = limits.start.min(limits.top);
     let end = Way::from(pulses) << FRACTION_BITS;
-    let fits = |speed| Curve::new(limits.scale, limits.growth, bend, limits.stop, speed).way() <= end;
+    let fits = |speed| Curve::new(limits.scale, limits.fall, bend, limits.stop, speed).way() <= end;
     if start <= limits.stop || fits(start) { start } else { highest(limits.stop, start, fits) }
 }

@@ -14,6 +14,7 @@ struct Ramp {
     stop: f64,
     top: f64,
     acceleration: f64,
+    deceleration: f64,
     bend: f64,
 }
 
@@ -30,27 +31,34 @@ impl Ramp {
 
     fn limits(self) -> Limits {
         let speed = |pps: f64| (pps * self.unit()) as Speed;
+        let growth = |rate: f64| (2.0 * rate * self.unit().powi(2)) as Growth;
         Limits {
             scale: Scale::new(self.bits()),
             top: speed(self.top),
             start: speed(self.start),
             stop: speed(self.stop),
-            growth: (2.0 * self.acceleration * self.unit().powi(2)) as Growth,
+            growth: growth(self.acceleration),
+            fall: growth(self.deceleration),
             shape: Shape::SCurve { bend: speed(self.bend) },
         }
     }
 
-    fn jerk(self) -> f64 {
-        self.acceleration * self.acceleration / (2.0 * self.bend)
+    /// The peak of the acceleration from one speed to another.
+    fn rate(self, from: f64, to: f64) -> f64 {
+        if to > from { self.acceleration } else { self.deceleration }
+    }
+
+    fn jerk(self, rate: f64) -> f64 {
+        rate * rate / (2.0 * self.bend)
     }
 
     /// Seconds from one speed to another.
     fn time(self, from: f64, to: f64) -> f64 {
-        let span = (to - from).abs();
+        let (span, rate) = ((to - from).abs(), self.rate(from, to));
         if span >= 2.0 * self.bend {
-            (span + 2.0 * self.bend) / self.acceleration
+            (span + 2.0 * self.bend) / rate
         } else {
-            2.0 * (span / self.jerk()).sqrt()
+            2.0 * (span / self.jerk(rate)).sqrt()
         }
     }
 
@@ -60,8 +68,9 @@ impl Ramp {
 
     /// Way made `t` seconds into the ramp from one speed to another, by the laws of motion.
     fn way_at(self, from: f64, to: f64, t: f64) -> f64 {
-        let (sign, total, jerk) = ((to - from).signum(), self.time(from, to), self.jerk());
-        let bend = (self.acceleration / jerk).min(total / 2.0);
+        let (sign, total, rate) = ((to - from).signum(), self.time(from, to), self.rate(from, to));
+        let jerk = self.jerk(rate);
+        let bend = (rate / jerk).min(total / 2.0);
         let peak = jerk * bend;
         let first = |t: f64| from * t + sign * jerk * t.powi(3) / 6.0;
         let second = |t: f64| {
@@ -159,19 +168,38 @@ fn check_full(ramp: Ramp, target: i32) {
     }
 }
 
-const TYPICAL: Ramp =
-    Ramp { start: 200.0, stop: 100.0, top: 20_000.0, acceleration: 100_000.0, bend: 4000.0 };
+const TYPICAL: Ramp = Ramp {
+    start: 200.0,
+    stop: 100.0,
+    top: 20_000.0,
+    acceleration: 100_000.0,
+    deceleration: 100_000.0,
+    bend: 4000.0,
+};
+
+/// [`TYPICAL`] with a deceleration of its own.
+const UNEVEN: [Ramp; 2] =
+    [Ramp { deceleration: 30_000.0, ..TYPICAL }, Ramp { deceleration: 500_000.0, ..TYPICAL }];
 
 #[test]
 fn every_pulse_is_where_the_laws_of_motion_put_it() {
     check_full(TYPICAL, 20_000);
     check_full(TYPICAL, -12_345);
     check_full(Ramp { bend: 9900.0, ..TYPICAL }, 20_000);
-    check_full(Ramp { top: 190_000.0, acceleration: 2e6, bend: 50_000.0, ..TYPICAL }, 60_000);
+    check_full(
+        Ramp { top: 190_000.0, acceleration: 2e6, deceleration: 2e6, bend: 50_000.0, ..TYPICAL },
+        60_000,
+    );
     check_full(Ramp { bend: 30_000.0, ..TYPICAL }, 40_000);
-    check_full(Ramp { top: 4_000_000.0, acceleration: 30e6, bend: 1e6, ..TYPICAL }, 2_000_000);
-    check_full(Ramp { start: 1.0, stop: 1.0, top: 300.0, acceleration: 50.0, bend: 100.0 }, 4000);
-    check_full(Ramp { start: 5000.0, stop: 5000.0, top: 5000.0, acceleration: 1e5, bend: 1e3 }, 5000);
+    check_full(Ramp { top: 4e6, acceleration: 30e6, deceleration: 30e6, bend: 1e6, ..TYPICAL }, 2_000_000);
+    for uneven in UNEVEN {
+        check_full(uneven, 20_000);
+        check_full(Ramp { bend: 9900.0, ..uneven }, 20_000);
+    }
+    let slow =
+        Ramp { start: 1.0, stop: 1.0, top: 300.0, acceleration: 50.0, deceleration: 50.0, bend: 100.0 };
+    check_full(slow, 4000);
+    check_full(Ramp { start: 5000.0, stop: 5000.0, top: 5000.0, bend: 1e3, ..TYPICAL }, 5000);
 }
 
 /// Times and mean accelerations from pulse to pulse, in seconds. A mean weighs with a triangle over two
@@ -186,18 +214,19 @@ fn accelerations(clocks: &[f64]) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// No acceleration above the peak, and between any two pulses no more change of it than the jerk
+/// No acceleration above its peak, and between any two pulses no more change of it than the jerk
 /// makes; both but for half a percent of the peak, which the cubics of the blocks take.
 fn check_smooth(ramp: Ramp, clocks: &[f64]) {
-    let slack = ramp.acceleration * 0.005;
+    let steepest = ramp.acceleration.max(ramp.deceleration);
+    let (slack, jerk) = (steepest * 0.005, ramp.jerk(steepest));
     let mut bounds = [f64::INFINITY; 2];
     for [time, acceleration] in accelerations(clocks) {
         assert!(
-            acceleration.abs() <= ramp.acceleration + slack,
+            (-ramp.deceleration - slack..=ramp.acceleration + slack).contains(&acceleration),
             "{ramp:?}: acceleration {acceleration} at {time}"
         );
         for (bound, acceleration) in bounds.iter_mut().zip([acceleration, -acceleration]) {
-            let beyond_jerk = acceleration - ramp.jerk() * time;
+            let beyond_jerk = acceleration - jerk * time;
             assert!(beyond_jerk <= *bound + slack, "{ramp:?}: jerk before {time}");
             *bound = bound.min(beyond_jerk);
         }
@@ -206,13 +235,13 @@ fn check_smooth(ramp: Ramp, clocks: &[f64]) {
 
 /// Seconds of the quickest move; `None` if the axis could not stop from its start speed.
 fn quickest(ramp: Ramp, distance: f64) -> Option<f64> {
-    let way = |peak: f64| ramp.way(ramp.start, peak) + ramp.way(ramp.stop, peak.max(ramp.stop));
+    let way = |peak: f64| ramp.way(ramp.start, peak) + ramp.way(peak.max(ramp.stop), ramp.stop);
     let peak = match ramp.top {
         _ if way(ramp.start) > distance => return None,
         top if way(top) <= distance => top,
         top => ramp.start + solve(top - ramp.start, distance, |more| way(ramp.start + more)),
     };
-    let ramps = ramp.time(ramp.start, peak) + ramp.time(ramp.stop, peak.max(ramp.stop));
+    let ramps = ramp.time(ramp.start, peak) + ramp.time(peak.max(ramp.stop), ramp.stop);
     Some(ramps + (distance - way(peak)) / peak)
 }
 
@@ -236,6 +265,10 @@ fn short_moves_keep_all_limits() {
         check_short(Ramp { bend: 9900.0, ..TYPICAL }, -target);
         check_short(Ramp { bend: 50_000.0, ..TYPICAL }, target);
         check_short(Ramp { start: 1000.0, stop: 1000.0, bend: 9900.0, ..TYPICAL }, target);
+        for uneven in UNEVEN {
+            check_short(uneven, target);
+            check_short(Ramp { bend: 50_000.0, ..uneven }, -target);
+        }
     }
 }
 
@@ -260,13 +293,20 @@ fn check_continuous(ramp: Ramp, pulses: &[Pulse]) {
     for run in pulses.chunk_by(|a, b| a.1 == b.1 && b.0 - a.0 < 1.2 * CLOCK_HZ / ramp.stop) {
         let clocks: Vec<_> = run.iter().map(|pulse| pulse.0).collect();
         for [time, acceleration] in accelerations(&clocks) {
-            let most = ramp.acceleration * 1.02;
-            assert!(acceleration.abs() <= most, "{ramp:?}: acceleration {acceleration} at {time}");
+            let room = -ramp.deceleration * 1.02..=ramp.acceleration * 1.02;
+            assert!(room.contains(&acceleration), "{ramp:?}: acceleration {acceleration} at {time}");
         }
     }
 }
 
-const SMOOTH: Ramp = Ramp { start: 200.0, stop: 200.0, top: 10_000.0, acceleration: 50_000.0, bend: 3000.0 };
+const SMOOTH: Ramp = Ramp {
+    start: 200.0,
+    stop: 200.0,
+    top: 10_000.0,
+    acceleration: 50_000.0,
+    deceleration: 50_000.0,
+    bend: 3000.0,
+};
 
 /// A move that is given another target on its way.
 fn check_retarget(seconds: f64, targets: [i32; 2]) {
@@ -430,7 +470,7 @@ fn extreme_limits_neither_panic_nor_hang() {
                     for growth in [0, 1, 1 << 31, 1 << 62, u64::MAX] {
                         let shape = Shape::SCurve { bend };
                         let scale = Scale::new(bits);
-                        let limits = Limits { scale, top, start, stop: start, growth, shape };
+                        let limits = Limits { scale, top, start, stop: start, growth, fall: growth, shape };
                         let mut axis = Axis::new(limits);
                         axis.set_goal(Goal::Position(40));
                         assert_eq!(finish(&mut axis).len(), 40, "{limits:?}");

@@ -10,13 +10,26 @@
 use crate::scenario::Units;
 use motion::{Axis, Direction, Goal, Moment, Shape, Stop, Train, train::MAX_DURATION};
 
+/// How fast speed may rise and fall.
+#[derive(Clone, Copy)]
+struct Rates {
+    up: f64,
+    down: f64,
+}
+
+impl Rates {
+    fn max(self, other: Self) -> Self {
+        Self { up: self.up.max(other.up), down: self.down.max(other.down) }
+    }
+}
+
 /// The limits in pulses and clocks.
 #[derive(Clone, Copy)]
 pub struct Physics {
     pub top: f64,
     start: f64,
     stop: f64,
-    acceleration: f64,
+    rates: Rates,
     shape: Shape,
     /// One unit of velocity with its 8 fraction bits, and one of acceleration.
     quantum: f64,
@@ -40,7 +53,10 @@ impl From<&Units> for Physics {
             top: velocity(units.top, units.pulse_div),
             start: velocity(units.start, units.pulse_div),
             stop: velocity(units.stop, units.pulse_div),
-            acceleration: f64::from(units.acceleration) * growth_quantum,
+            rates: Rates {
+                up: f64::from(units.acceleration) * growth_quantum,
+                down: f64::from(units.deceleration) * growth_quantum,
+            },
             shape: units.shape,
             quantum: velocity(1, units.pulse_div) / 256.0,
             growth_quantum,
@@ -49,14 +65,12 @@ impl From<&Units> for Physics {
 }
 
 /// The time of a way that begins and ends at these speeds, with constant acceleration up and down.
-fn trapezoid_time(from: f64, to: f64, top: f64, acceleration: f64, way: f64) -> f64 {
+fn trapezoid_time(from: f64, to: f64, top: f64, rates: Rates, way: f64) -> f64 {
     let (from, to) = (from.min(top), to.min(top));
-    let peak = ((from * from + to * to) / 2.0 + acceleration * way).sqrt();
-    if peak <= top {
-        return (2.0 * peak - from - to) / acceleration;
-    }
-    let ramps = (2.0 * top * top - from * from - to * to) / (2.0 * acceleration);
-    (2.0 * top - from - to) / acceleration + (way - ramps) / top
+    let Rates { up, down } = rates;
+    let ramps = |peak: f64| (peak * peak - from * from) / (2.0 * up) + (peak * peak - to * to) / (2.0 * down);
+    let peak = ((way - ramps(0.0)) * 2.0 * up * down / (up + down)).sqrt().min(top);
+    (peak - from) / up + (peak - to) / down + (way - ramps(peak)).max(0.0) / peak
 }
 
 /// The numbers that show how near the kernel comes to the bounds.
@@ -86,6 +100,7 @@ struct Reference {
     to: f64,
     top: f64,
     growth: f64,
+    fall: f64,
     /// Speed a pulse by which a soft approach gets slower; 0 for a trapezoid.
     decay: f64,
     pulses: u64,
@@ -103,7 +118,7 @@ impl Reference {
         let (mut fast, mut gentle) = (up.sqrt().min(self.top), f64::INFINITY);
         if let Some(way) = self.way {
             let left = (way - self.pulses) as f64;
-            fast = fast.min((self.to * self.to + self.growth * left).sqrt());
+            fast = fast.min((self.to * self.to + self.fall * left).sqrt());
             if self.decay != 0.0 {
                 gentle = (self.decay * left).max(self.to);
             }
@@ -126,16 +141,16 @@ struct Motion {
     /// speed may leave too little way.
     unavoidable: f64,
     start: f64,
-    /// Since the last pulse: whether anything was changed, the greatest acceleration and quanta in force,
+    /// Since the last pulse: whether anything was changed, the greatest rates and quanta in force,
     /// the highest limit and the highest speed from which the target could be met.
     changed: bool,
-    acceleration: f64,
+    rates: Rates,
     quantum: f64,
     growth_quantum: f64,
     limit: f64,
     cap: f64,
-    /// The acceleration of the spacing before, and its quantum.
-    acceleration_before: f64,
+    /// The rates of the spacing before, and their quantum.
+    rates_before: Rates,
     growth_quantum_before: f64,
     changed_before: bool,
     reference: Option<Reference>,
@@ -143,8 +158,8 @@ struct Motion {
 
 impl Motion {
     /// In the spacing before `since` and after.
-    fn greatest_acceleration(&self) -> f64 {
-        self.acceleration.max(self.acceleration_before)
+    fn greatest_rates(&self) -> Rates {
+        self.rates.max(self.rates_before)
     }
 
     fn greatest_growth_quantum(&self) -> f64 {
@@ -234,7 +249,7 @@ impl Oracle {
             Some(Stop::Soft) => return Ahead::Wrong,
             None => {}
         }
-        let Physics { top, stop, acceleration, .. } = self.physics;
+        let Physics { top, stop, rates, .. } = self.physics;
         match self.goal {
             Goal::Position(target) => {
                 let way = i64::from(target.wrapping_sub(self.position)) * direction.sign();
@@ -242,7 +257,7 @@ impl Oracle {
                     return Ahead::Wrong;
                 }
                 // At the end of the next pulse.
-                let cap = (stop * stop + 2.0 * acceleration * (way - 1) as f64).sqrt();
+                let cap = (stop * stop + 2.0 * rates.down * (way - 1) as f64).sqrt();
                 Ahead::Free { limit: top, cap }
             }
             Goal::Speed(way, speed) if way == direction && speed != 0 => {
@@ -290,12 +305,12 @@ impl Oracle {
             ensure(self.now as f64 <= self.deadline, || format!("not there at {}", self.deadline))?;
         }
         let Some(Motion { since, spacing: Some(spacing), quantum, .. }) = self.motion else { return Ok(()) };
-        let acceleration = self.motion.as_ref().map_or(0.0, Motion::greatest_acceleration);
+        let steepest = self.motion.as_ref().map(Motion::greatest_rates).map_or(0.0, |r| r.up.max(r.down));
         let growth_quantum = self.motion.as_ref().map_or(0.0, Motion::greatest_growth_quantum);
         let told = f64::from(axis.speed()) * part(36 + self.units.pulse_div);
         let mean = 1.0 / clocks(spacing);
         let gone = clocks(Moment::at(self.now + 1).since(since).unwrap_or(0));
-        let room = (acceleration + growth_quantum) * (clocks(spacing) / 2.0 + gone) + quantum;
+        let room = (steepest + growth_quantum) * (clocks(spacing) / 2.0 + gone) + quantum;
         ensure((told - mean).abs() <= room, || format!("says {told} pulses a clock after {mean}"))
     }
 
@@ -336,12 +351,13 @@ impl Oracle {
         };
         let time = clocks(spacing);
         let mean = 1.0 / time;
-        let acceleration = motion.acceleration;
+        let rates = motion.rates;
         let quantum = motion.quantum;
 
         // Acceleration, between the middles of this spacing and the one before.
         if let Some(before) = motion.spacing {
-            let allowed = acceleration.max(motion.acceleration_before);
+            let Rates { up, down } = motion.greatest_rates();
+            let allowed = if spacing > before { down } else { up };
             let difference = clocks(spacing.abs_diff(before).saturating_sub(RESOLUTION));
             let seconds = clocks(before);
             let kick = if motion.changed || motion.changed_before { quantum * KICK } else { 0.0 };
@@ -351,25 +367,25 @@ impl Oracle {
             self.extremes.acceleration = self.extremes.acceleration.max(excess);
             ensure(excess <= 1.0, || format!("acceleration {excess} quanta above {}", allowed / unit))?;
         } else {
-            let first = mean - acceleration * time / 2.0;
+            let first = mean - rates.up * time / 2.0;
             ensure(first <= motion.start * EXACT + quantum, || {
                 format!("started with {first} pulses a clock instead of {}", motion.start)
             })?;
         }
 
         // Speed.
-        let growth = 2.0 * self.physics.acceleration;
-        let slower = (motion.ceiling * motion.ceiling - growth).max(0.0).sqrt();
+        let fall = 2.0 * self.physics.rates.down;
+        let slower = (motion.ceiling * motion.ceiling - fall).max(0.0).sqrt();
         // Stopping may take whole pulses: no faster than what ends with the last of them.
         let stop = self.physics.stop;
         let stopping = || {
-            let way = (motion.ceiling * motion.ceiling - stop * stop).max(0.0) / growth;
-            (stop * stop + growth * ((way - 1e-6).ceil() - 1.0).max(0.0)).sqrt().min(motion.ceiling)
+            let way = (motion.ceiling * motion.ceiling - stop * stop).max(0.0) / fall;
+            (stop * stop + fall * ((way - 1e-6).ceil() - 1.0).max(0.0)).sqrt().min(motion.ceiling)
         };
         let (limit, mut ceiling) = if motion.changed {
             (motion.limit.max(motion.ceiling), motion.cap.min(motion.limit).max(motion.ceiling))
         } else {
-            motion.unavoidable = (motion.unavoidable * motion.unavoidable - growth).max(0.0).sqrt();
+            motion.unavoidable = (motion.unavoidable * motion.unavoidable - fall).max(0.0).sqrt();
             match ahead {
                 Ahead::Free { limit, cap } => {
                     // A soft approach is left for braking earlier.
@@ -402,7 +418,7 @@ impl Oracle {
         ensure(motion.changed || mean <= between.max(motion.ceiling), || {
             format!("speed {} too high to stop in time, {} would do", mean / quantum, between / quantum)
         })?;
-        ceiling = ceiling.min(mean + (acceleration + motion.growth_quantum) * time / 2.0);
+        ceiling = ceiling.min(mean + (rates.up + motion.growth_quantum) * time / 2.0);
 
         // Not slower than need be.
         if let (Goal::Speed(way, speed), false) = (self.goal, motion.changed) {
@@ -430,10 +446,10 @@ impl Oracle {
         motion.spacing = Some(spacing);
         motion.since = at;
         motion.ceiling = ceiling;
-        motion.acceleration_before = acceleration;
+        motion.rates_before = rates;
         motion.changed_before = motion.changed;
         motion.changed = false;
-        motion.acceleration = self.physics.acceleration;
+        motion.rates = self.physics.rates;
         motion.quantum = self.physics.quantum;
         motion.growth_quantum_before = motion.growth_quantum;
         motion.growth_quantum = self.physics.growth_quantum;
@@ -450,21 +466,22 @@ impl Oracle {
         let Ahead::Free { limit, cap } = self.ahead(self.direction) else {
             return Err(format!("starts {:?} towards nothing", self.direction));
         };
-        let Physics { top, stop, acceleration, shape, quantum, growth_quantum, .. } = self.physics;
+        let Physics { top, stop, rates, shape, quantum, growth_quantum, .. } = self.physics;
         let start = self.physics.start.min(limit);
-        let growth = 2.0 * acceleration;
+        let [growth, fall] = [2.0 * rates.up, 2.0 * rates.down];
         let way = match self.goal {
             Goal::Position(target) => Some(target.wrapping_sub(self.position).unsigned_abs().into()),
             Goal::Speed(..) => None,
         };
-        let stops = way.is_none_or(|way| start * start <= stop * stop + growth * way as f64);
+        let stops = way.is_none_or(|way| start * start <= stop * stop + fall * way as f64);
         let reference = (fresh && stops).then(|| Reference {
             begin: since,
             from: start,
             to: stop,
             top: limit,
             growth,
-            decay: if shape == Shape::Soft { acceleration / top } else { 0.0 },
+            fall,
+            decay: if shape == Shape::Soft { rates.down / top } else { 0.0 },
             pulses: 0,
             way,
             fast: (start, 0.0),
@@ -477,12 +494,12 @@ impl Oracle {
             unavoidable: start,
             start,
             changed: false,
-            acceleration,
+            rates,
             quantum,
             limit,
             cap,
             growth_quantum,
-            acceleration_before: acceleration,
+            rates_before: rates,
             growth_quantum_before: growth_quantum,
             changed_before: false,
             reference,
@@ -494,7 +511,7 @@ impl Oracle {
     fn check_end(&self, motion: &Motion, at: Moment) -> Result<(), String> {
         ensure(!matches!(self.ahead(self.direction), Ahead::Free { .. }), || "stops on its way".into())?;
         let Some(spacing) = motion.spacing else { return Ok(()) };
-        let allowed = motion.greatest_acceleration() + motion.greatest_growth_quantum();
+        let allowed = motion.greatest_rates().down + motion.greatest_growth_quantum();
         let gone = at.since(motion.since).map_or(0.0, clocks);
         let speed = 1.0 / clocks(spacing) - allowed * (clocks(spacing) / 2.0 + gone);
         let stop = self.physics.stop.max(motion.unavoidable);
@@ -508,7 +525,7 @@ impl Oracle {
         let bound = motion.ceiling.max(motion.cap.min(motion.limit));
         let Some(spacing) = motion.spacing else { return bound };
         let gone = Moment::at(self.now + 1).since(motion.since).map_or(0.0, clocks);
-        bound.min(1.0 / clocks(spacing) + motion.greatest_acceleration() * (clocks(spacing) / 2.0 + gone))
+        bound.min(1.0 / clocks(spacing) + motion.greatest_rates().up * (clocks(spacing) / 2.0 + gone))
     }
 
     /// Something is changed at the end of the present clock; `axis` has been told.
@@ -534,7 +551,7 @@ impl Oracle {
             let hard = settings.halted || matches!(ahead, Ahead::Closed);
             let goes_on = axis.is_moving() && axis.direction() == self.direction;
             ensure(!hard || !goes_on, || "goes on after a hard stop".into())?;
-            motion.acceleration = motion.acceleration.max(self.physics.acceleration);
+            motion.rates = motion.rates.max(self.physics.rates);
             motion.quantum = motion.quantum.max(self.physics.quantum);
             motion.growth_quantum = motion.growth_quantum.max(self.physics.growth_quantum);
             if goes_on {
@@ -559,30 +576,30 @@ impl Oracle {
 
     /// Enough time to do what is asked, from at most this speed in any direction.
     fn time_to_settle(&self, speed: f64) -> f64 {
-        let Physics { top, start, stop, acceleration, shape, .. } = self.physics;
-        let brake = speed / acceleration;
+        let Physics { top, start, stop, rates, shape, .. } = self.physics;
+        let brake = speed / rates.down;
         let pulses = 4.0 / start.min(top) + 4.0 / stop.min(top);
         let go = match self.goal {
             Goal::Position(target) => {
                 let way = f64::from(target.wrapping_sub(self.position)).abs() + speed * brake / 2.0 + 2.0;
                 let soft = if shape == Shape::Soft {
-                    top / acceleration * (2.0 + (top / stop).ln().max(0.0))
+                    top / rates.down * (2.0 + (top / stop).ln().max(0.0))
                 } else {
                     0.0
                 };
                 // On its way it may be slower than the start speed.
                 let from = if self.motion.is_some() { 0.0 } else { start };
-                trapezoid_time(from, stop, top, acceleration, way) + soft
+                trapezoid_time(from, stop, top, rates, way) + soft
             }
-            Goal::Speed(_, speed) => self.goal_speed(speed) / acceleration,
+            Goal::Speed(_, speed) => self.goal_speed(speed) / rates.up,
         };
         brake + pulses + go * NEARLY
     }
 
-    /// Pulses that a full stop may take.
-    pub fn way_to_stop(&self) -> f64 {
-        let speed = self.speed_at_most();
-        speed * speed / (2.0 * self.physics.acceleration)
+    /// Pulses that a full ramp may take.
+    pub fn way_of_ramp(&self) -> f64 {
+        let (speed, Rates { up, down }) = (self.speed_at_most(), self.physics.rates);
+        speed * speed / (2.0 * up.min(down))
     }
 }
 

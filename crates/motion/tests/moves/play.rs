@@ -173,7 +173,7 @@ impl Player<'_> {
         match self.axis.goal() {
             Goal::Speed(_, 1..) => {
                 // To the goal speed, if that is not too far, and a while at it.
-                let ramp = self.oracle.way_to_stop() as u32;
+                let ramp = self.oracle.way_of_ramp() as u32;
                 self.go(ramp.min(ENDLESS) + ENDLESS)?;
                 self.go(CRUISE)?;
                 Ok(self.outcome(false))

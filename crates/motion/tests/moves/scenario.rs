@@ -12,6 +12,7 @@ pub struct Units {
     pub start: u32,
     pub stop: u32,
     pub acceleration: u32,
+    pub deceleration: u32,
     pub shape: Shape,
 }
 
@@ -23,17 +24,18 @@ impl Units {
             start: tmc429::speed(self.start),
             stop: tmc429::speed(self.stop),
             growth: tmc429::growth(self.acceleration, self.pulse_div, self.ramp_div),
+            fall: tmc429::growth(self.deceleration, self.pulse_div, self.ramp_div),
             shape: self.shape,
         }
     }
 
     /// The same as a Rust expression.
     pub fn source(&self) -> String {
-        let Self { pulse_div, ramp_div, top, start, stop, acceleration, shape } = self;
+        let Self { pulse_div, ramp_div, top, start, stop, acceleration, deceleration, shape } = self;
         format!(
             "Limits {{ scale: tmc429::scale({pulse_div}), top: tmc429::speed({top}), start: tmc429::speed({start}), \
              stop: tmc429::speed({stop}), growth: tmc429::growth({acceleration}, {pulse_div}, {ramp_div}), \
-             shape: Shape::{shape:?} }}"
+             fall: tmc429::growth({deceleration}, {pulse_div}, {ramp_div}), shape: Shape::{shape:?} }}"
         )
     }
 }
@@ -85,13 +87,15 @@ fn units(random: &mut Random) -> Units {
     } else {
         random.below(14)
     };
+    let acceleration = internal(random);
     Units {
         pulse_div,
         ramp_div,
         top,
         start: if random.chance(80) { 1 } else { random.spread(top) },
         stop: if random.chance(60) { 1 } else { random.spread(2047) },
-        acceleration: internal(random),
+        acceleration,
+        deceleration: if random.chance(50) { acceleration } else { internal(random) },
         shape: if random.chance(25) { Shape::Soft } else { Shape::Trapezoid },
     }
 }
@@ -100,7 +104,7 @@ fn changed(random: &mut Random, old: Units) -> Units {
     let fresh = units(random);
     match random.below(6) {
         0 | 1 => Units { top: fresh.top, ..old },
-        2 | 3 => Units { acceleration: fresh.acceleration, ..old },
+        2 | 3 => Units { acceleration: fresh.acceleration, deceleration: fresh.deceleration, ..old },
         4 => match random.below(4) {
             0 => Units { start: fresh.start, ..old },
             1 => Units { stop: fresh.stop, ..old },
@@ -235,6 +239,8 @@ fn smaller_units(units: Units) -> Vec<Units> {
         Units { stop: (units.stop / 2).max(1), ..units },
         Units { top: (units.top / 2).max(1), ..units },
         Units { acceleration: (units.acceleration / 2).max(1), ..units },
+        Units { deceleration: (units.deceleration / 2).max(1), ..units },
+        Units { deceleration: units.acceleration, ..units },
         Units { shape: Shape::Trapezoid, ..units },
         Units { ramp_div: units.ramp_div.saturating_sub(1), ..units },
     ];
