@@ -10,5 +10,6 @@
 
 pub mod ascii;
 pub mod can;
+pub mod performax;
 pub mod slcan;
 pub mod tmcl;
