@@ -12,6 +12,7 @@ pub mod compare;
 pub mod encoder;
 pub mod homing;
 pub mod plan;
+pub mod pps;
 mod scurve;
 pub mod speed;
 pub mod tmc429;
