@@ -1,7 +1,7 @@
 //! The manual's programs in `examples/tmcl`: they assemble, and what they ask of a device is written down here.
 
 use std::collections::VecDeque;
-use tmcl::asm::{Assembly, Environment, Include, Place, assemble};
+use tmcl::asm::{Assembly, Environment, Include, Place, assemble, format};
 use tmcl::isa::opcode;
 use tmcl::vm::{Exit, Outcome, Stopped};
 use tmcl::{Command, Vm, disasm, image};
@@ -276,4 +276,19 @@ fn every_example_survives_file_and_disassembler() {
         let again = assemble(name, disasm::disassemble(&commands).as_bytes(), &Module);
         assert_eq!(again.program.expect("no errors").commands, commands, "{name}");
     }
+}
+
+#[test]
+fn the_examples_are_laid_out_as_the_formatter_would() {
+    let folders = [FOLDER, concat!(env!("CARGO_MANIFEST_DIR"), "/../../clients/programs")];
+    let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).expect("the folder is there"));
+    let mut sources = 0;
+    for file in files.map(|file| file.expect("it can be read").path()) {
+        if file.extension().is_some_and(|extension| extension == "tmc") {
+            let source = std::fs::read(&file).expect("the example is there");
+            assert_eq!(String::from_utf8(format(&source)), String::from_utf8(source), "{}", file.display());
+            sources += 1;
+        }
+    }
+    assert!(sources > MANUAL.len());
 }

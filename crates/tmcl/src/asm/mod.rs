@@ -6,6 +6,7 @@
 
 mod assembler;
 mod diagnostic;
+mod fmt;
 mod lexer;
 mod load;
 mod parser;
@@ -13,6 +14,7 @@ mod source;
 mod symbols;
 
 pub use diagnostic::{Diagnostic, Severity};
+pub use fmt::format;
 pub use load::{INTERRUPTS_FILE, MAX_FILES, MAX_INCLUDE_DEPTH};
 pub use source::{MAX_SOURCE_BYTES, Source};
 
