@@ -202,16 +202,33 @@ impl Axis {
         self.odometer <= self.window.low || self.odometer >= self.window.high
     }
 
+    /// Pulses to the window's edge.
+    pub(crate) fn room(&self, direction: Direction) -> i64 {
+        match direction {
+            Direction::Negative => self.odometer.saturating_sub(self.window.low),
+            Direction::Positive => self.window.high.saturating_sub(self.odometer),
+        }
+    }
+
+    /// The pulses on their way.
+    pub(crate) fn train(&self) -> Option<&Train> {
+        self.leg.as_ref().map(|leg| &leg.train)
+    }
+
+    /// Counts pulses that others made with an axis at rest. It wants to stay where they take it.
+    pub(crate) fn carry(&mut self, direction: Direction, pulses: u32) {
+        assert!(!self.is_moving(), "an axis moves by itself or with others");
+        self.direction = direction;
+        self.goal = Goal::Speed(direction, 0);
+        self.count(direction, pulses);
+    }
+
     /// The clock at which the axis must be advanced: the end of its train, or the pulse with which it
     /// reaches its window's edge. `None` at rest.
     pub fn wake(&self) -> Option<Ticks> {
         let leg = self.leg.as_ref()?;
         let train = &leg.train;
-        let room = match train.direction {
-            Direction::Negative => self.odometer.saturating_sub(self.window.low),
-            Direction::Positive => self.window.high.saturating_sub(self.odometer),
-        };
-        Some(match u32::try_from(room) {
+        Some(match u32::try_from(self.room(train.direction)) {
             Ok(room @ 1..) if room < train.count => train.edge(room),
             _ => leg.last.ticks,
         })

@@ -5,7 +5,7 @@
 //! stays within 0.04 % of the acceleration, a unit of the largest that a register holds.
 
 use crate::speed::{Growth, Pace, Scale, SpeedSquared};
-use crate::train::{Direction, FRACTION_BITS, Moment, SubTicks, Train};
+use crate::train::{Direction, EVERY_SLOT, FRACTION_BITS, Moment, SubTicks, Train};
 
 /// The longest block of a ramp, so that rounding of the cubic's terms stays below 1/64 clock.
 pub const MAX_BLOCK: u32 = 512;
@@ -54,7 +54,8 @@ pub fn cubic(start: Moment, direction: Direction, count: u32, [first, mean, last
     // by less than 1/64 clock.
     let c3 = rounded((first - mean) + (last - mean), 2 * bits);
     let c2 = rounded((last - first) - ((3 * c3) << (2 * bits)), bits + 1);
-    Train { start, interval: (first + c2 + c3) as u64, add: 2 * c2 + 6 * c3, jerk: 6 * c3, count, direction }
+    let interval = (first + c2 + c3) as u64;
+    Train { start, interval, add: 2 * c2 + 6 * c3, jerk: 6 * c3, count, direction, mask: EVERY_SLOT }
 }
 
 /// Divides by a power of two, to the nearest.
@@ -108,5 +109,5 @@ pub(crate) fn curve(
 /// One pulse.
 #[inline]
 pub const fn single(start: Moment, direction: Direction, interval: SubTicks) -> Train {
-    Train { start, interval, add: 0, jerk: 0, count: 1, direction }
+    Train { start, interval, add: 0, jerk: 0, count: 1, direction, mask: EVERY_SLOT }
 }

@@ -141,11 +141,19 @@ impl ExactSizeIterator for Multiples {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::train::Moment;
+    use crate::train::{EVERY_SLOT, Moment};
 
     fn train(direction: Direction, count: u32) -> Train {
         // Longer and longer spacings, so that every clock belongs to one pulse.
-        Train { start: Moment::at(5000), interval: 90 << 32, add: 3 << 31, jerk: 0, count, direction }
+        Train {
+            start: Moment::at(5000),
+            interval: 90 << 32,
+            add: 3 << 31,
+            jerk: 0,
+            count,
+            direction,
+            mask: EVERY_SLOT,
+        }
     }
 
     /// Against stepping through every pulse.
@@ -191,6 +199,7 @@ mod tests {
             jerk: 0,
             count: u32::MAX,
             direction: Direction::Positive,
+            mask: EVERY_SLOT,
         };
         // The counter comes around to one below where it began.
         let changes: Vec<_> = Condition::Equal(-5).changes(-4, &train).collect();

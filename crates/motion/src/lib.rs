@@ -11,6 +11,7 @@ mod block;
 pub mod compare;
 pub mod encoder;
 pub mod homing;
+pub mod line;
 pub mod plan;
 pub mod pps;
 mod scurve;
@@ -19,6 +20,7 @@ pub mod tmc429;
 pub mod train;
 
 pub use axis::{Axis, Goal, Stop};
+pub use line::Line;
 pub use plan::{Limits, Shape};
 pub use speed::{Growth, Scale, Speed};
 pub use train::{Direction, Moment, SubTicks, Ticks, Train};

@@ -4,6 +4,10 @@
 //! in the number of the pulse. A cruise is one train however long it is; a ramp is a few dozen. Whoever
 //! needs single edges expands the train with three additions an edge.
 //!
+//! An axis that moves together with others does not step at every pulse of the one that sets the pace. The
+//! polynomial then numbers slots, and a mask says at which of them the axis steps. Axes that step in the
+//! same slot do so in the same clock.
+//!
 //! Times count the controller's clock from power-up. Spacings have 32 bits of fraction of one clock, so
 //! that rounding does not add up: an edge happens at the clock in which its exact time lies.
 
@@ -51,6 +55,12 @@ impl Direction {
     }
 }
 
+/// The [`Train::mask`] of a plain train.
+pub const EVERY_SLOT: u64 = 0;
+
+/// The most slots of a train that steps in some of them only.
+pub const MAX_SLOTS: u32 = u64::BITS;
+
 /// A moment with its fraction of a clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Moment {
@@ -85,12 +95,13 @@ impl Moment {
 
 /// A run of pulses in one direction.
 ///
-/// Pulse `k` (1 to `count`) happens `k·interval + C(k,2)·add + C(k,3)·jerk` after `start`.
+/// Slot `k` (from 1) lies `k·interval + C(k,2)·add + C(k,3)·jerk` after `start`. A plain train makes a pulse
+/// in each of `count` slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Train {
     /// The moment from which the first spacing counts.
     pub start: Moment,
-    /// From `start` to the first pulse.
+    /// From `start` to the first slot.
     pub interval: SubTicks,
     /// How much the second spacing is longer than the first.
     pub add: i64,
@@ -100,15 +111,35 @@ pub struct Train {
     pub count: u32,
     /// Which way.
     pub direction: Direction,
+    /// In which slots the pulses are, the first slot in the lowest bit: `count` bits; or [`EVERY_SLOT`].
+    pub mask: u64,
 }
 
 impl Train {
+    /// The train that makes a pulse in each slot whose bit is set; `None` if there is none.
+    ///
+    /// # Panics
+    /// If this train is not plain or has more than [`MAX_SLOTS`] slots.
+    pub(crate) fn masked(&self, mask: u64) -> Option<Self> {
+        assert!(self.mask == EVERY_SLOT && self.count <= MAX_SLOTS, "too long to be masked");
+        let count = mask.count_ones();
+        // All ones up to the last: plain.
+        let mask = if mask & mask.wrapping_add(1) == 0 { EVERY_SLOT } else { mask };
+        (count > 0).then_some(Self { count, mask, ..*self })
+    }
+
+    /// The slot of pulse `k`; 0 for `k` = 0.
+    #[inline]
+    pub const fn slot(&self, k: u32) -> u32 {
+        if self.mask == EVERY_SLOT { k } else { nth_bit(self.mask, k) }
+    }
+
     /// From `start` to pulse `k`; 0 for `k` = 0.
     #[inline]
     pub const fn offset(&self, k: u32) -> SubTicks {
-        let k = k as u64;
+        let k = self.slot(k) as u64;
         let pairs = k.wrapping_mul(k.wrapping_sub(1)) / 2;
-        // At most MAX_BLOCK pulses have a jerk, and then this product is small.
+        // At most MAX_BLOCK slots have a jerk, and then this product is small.
         let triples = if self.jerk == 0 || k < 3 { 0 } else { pairs * (k - 2) / 3 };
         k.wrapping_mul(self.interval)
             .wrapping_add(pairs.wrapping_mul(self.add as u64))
@@ -151,17 +182,24 @@ impl Train {
     /// If `k` is 0 or not less than the count: both parts must have pulses.
     pub fn split(&self, k: u32) -> (Self, Self) {
         assert!(k > 0 && k < self.count, "a train splits between its pulses");
-        let head = Self { count: k, ..*self };
-        let jerk = i64::from(k).wrapping_mul(self.jerk);
-        let pairs = (u64::from(k) * u64::from(k - 1) / 2) as i64;
+        let slot = self.slot(k);
+        let jerk = i64::from(slot).wrapping_mul(self.jerk);
+        let pairs = (u64::from(slot) * u64::from(slot - 1) / 2) as i64;
+        // Behind its last pulse and before its first a part has no slots that count.
+        let [before, after] = match self.mask {
+            EVERY_SLOT => [EVERY_SLOT; 2],
+            mask => [mask & (u64::MAX >> (MAX_SLOTS - slot)), mask >> slot],
+        };
+        let head = Self { count: k, mask: before, ..*self };
         let tail = Self {
             start: self.moment(k),
             interval: self
                 .interval
-                .wrapping_add(i64::from(k).wrapping_mul(self.add) as u64)
+                .wrapping_add(i64::from(slot).wrapping_mul(self.add) as u64)
                 .wrapping_add(pairs.wrapping_mul(self.jerk) as u64),
             add: self.add.wrapping_add(jerk),
             count: self.count - k,
+            mask: after,
             ..*self
         };
         (head, tail)
@@ -176,6 +214,7 @@ impl Train {
             add: self.add as u64,
             jerk: self.jerk as u64,
             left: self.count,
+            mask: self.mask,
         }
     }
 
@@ -183,15 +222,38 @@ impl Train {
     /// smaller one of the count and the room.
     pub fn expand(&self, edges: &mut [Ticks]) -> usize {
         let count = edges.len().min(self.count as usize);
-        let Edges { ticks, mut offset, mut interval, mut add, jerk, .. } = self.edges();
-        for edge in &mut edges[..count] {
-            offset = offset.wrapping_add(interval);
-            interval = interval.wrapping_add(add);
-            add = add.wrapping_add(jerk);
-            *edge = ticks + (offset >> FRACTION_BITS);
+        let edges = &mut edges[..count];
+        if self.mask == EVERY_SLOT {
+            let Edges { ticks, mut offset, mut interval, mut add, jerk, .. } = self.edges();
+            for edge in edges {
+                offset = offset.wrapping_add(interval);
+                interval = interval.wrapping_add(add);
+                add = add.wrapping_add(jerk);
+                *edge = ticks + (offset >> FRACTION_BITS);
+            }
+        } else {
+            edges.iter_mut().zip(self.edges()).for_each(|(edge, clock)| *edge = clock);
         }
         count
     }
+}
+
+/// The number of the `k`th bit that is set, from 1; 0 for `k` = 0.
+const fn nth_bit(mask: u64, k: u32) -> u32 {
+    let (mut below, mut left, mut width) = (0, k, MAX_SLOTS);
+    if k == 0 {
+        return 0;
+    }
+    // Halves, down to the bit.
+    while width > 1 {
+        width /= 2;
+        let ones = ((mask >> below) & ((1 << width) - 1)).count_ones();
+        if ones < left {
+            left -= ones;
+            below += width;
+        }
+    }
+    below + 1
 }
 
 /// Iterator over the clocks of a train's pulses.
@@ -203,6 +265,18 @@ pub struct Edges {
     add: u64,
     jerk: u64,
     left: u32,
+    mask: u64,
+}
+
+impl Edges {
+    /// The clock of the next slot.
+    #[inline]
+    fn slot(&mut self) -> Ticks {
+        self.offset = self.offset.wrapping_add(self.interval);
+        self.interval = self.interval.wrapping_add(self.add);
+        self.add = self.add.wrapping_add(self.jerk);
+        self.ticks + (self.offset >> FRACTION_BITS)
+    }
 }
 
 impl Iterator for Edges {
@@ -214,10 +288,14 @@ impl Iterator for Edges {
             return None;
         }
         self.left -= 1;
-        self.offset = self.offset.wrapping_add(self.interval);
-        self.interval = self.interval.wrapping_add(self.add);
-        self.add = self.add.wrapping_add(self.jerk);
-        Some(self.ticks + (self.offset >> FRACTION_BITS))
+        if self.mask != EVERY_SLOT {
+            let empty = self.mask.trailing_zeros();
+            (0..empty).for_each(|_| {
+                self.slot();
+            });
+            self.mask = self.mask >> empty >> 1;
+        }
+        Some(self.slot())
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -239,42 +317,71 @@ mod tests {
             jerk: 1 << 27,
             count: 64,
             direction: Direction::Positive,
+            mask: EVERY_SLOT,
         }
+    }
+
+    /// A plain train and some with a mask.
+    fn trains() -> Vec<Train> {
+        let masks =
+            [1 << 63, 1 << 63 | 1, 0x5555_5555_5555_5555, u64::MAX - 1, 0xF0F0_0000_0000_1230, 1 << 20];
+        masks.iter().filter_map(|&mask| ramp().masked(mask)).chain([ramp()]).collect()
     }
 
     #[test]
     fn the_polynomial_and_the_iterator_agree() {
-        let train = ramp();
-        let edges: Vec<_> = train.edges().collect();
-        assert_eq!(edges.len(), 64);
-        for (k, edge) in (1..).zip(&edges) {
-            assert_eq!(train.edge(k), *edge);
+        for train in trains() {
+            let edges: Vec<_> = train.edges().collect();
+            assert_eq!(edges.len(), train.count as usize);
+            for (k, edge) in (1..).zip(&edges) {
+                assert_eq!(train.edge(k), *edge, "pulse {k} of {train:?}");
+            }
+            assert!(edges.is_sorted());
+            for room in [0, 1, edges.len() / 2, edges.len(), 100] {
+                let mut written = vec![0; room];
+                let count = train.expand(&mut written);
+                assert_eq!(count, room.min(edges.len()));
+                assert_eq!(written[..count], edges[..count], "{train:?}");
+            }
         }
-        assert!(edges.is_sorted());
-        let mut room = [0; 10];
-        assert_eq!(train.expand(&mut room), 10);
-        assert_eq!(room[..], edges[..10]);
+    }
+
+    #[test]
+    fn a_mask_picks_slots() {
+        let slots: Vec<_> = ramp().edges().collect();
+        for train in trains() {
+            let mask = if train.mask == EVERY_SLOT { u64::MAX } else { train.mask };
+            let picked = (0..64).filter(|bit| mask >> bit & 1 == 1).map(|bit| slots[bit]);
+            assert!(train.edges().eq(picked), "{train:?}");
+        }
+        // A mask without a gap is none.
+        assert_eq!(ramp().masked(u64::MAX), Some(ramp()));
+        assert_eq!(ramp().masked(0x7F), Some(Train { count: 7, ..ramp() }));
+        assert_eq!(ramp().masked(0), None);
     }
 
     #[test]
     fn splitting_keeps_every_edge() {
-        let train = ramp();
-        let whole: Vec<_> = train.edges().collect();
-        for k in 1..train.count {
-            let (head, tail) = train.split(k);
-            let both: Vec<_> = head.edges().chain(tail.edges()).collect();
-            assert_eq!(both, whole, "split at {k}");
+        for train in trains() {
+            let whole: Vec<_> = train.edges().collect();
+            for k in 1..train.count {
+                let (head, tail) = train.split(k);
+                let both: Vec<_> = head.edges().chain(tail.edges()).collect();
+                assert_eq!(both, whole, "split of {train:?} at {k}");
+                assert_eq!([head.end(), tail.end()], [train.edge(k), train.end()]);
+            }
         }
     }
 
     #[test]
     fn counting_stops_between_edges() {
-        let train = ramp();
-        for k in 1..=train.count {
-            assert_eq!(train.count_until(train.edge(k) - 1), k - 1);
-            assert_eq!(train.count_until(train.edge(k)), k);
+        for train in trains() {
+            for k in 1..=train.count {
+                assert_eq!(train.count_until(train.edge(k) - 1), k - 1);
+                assert_eq!(train.count_until(train.edge(k)), k);
+            }
+            assert_eq!(train.count_until(0), 0);
         }
-        assert_eq!(train.count_until(0), 0);
     }
 
     #[test]

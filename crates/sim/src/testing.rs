@@ -3,7 +3,7 @@
 use devices::{
     AxisState, Board, Controller, Drive, Model, Pin, PinKind, Port, ProgramState, Wiring, flash::Flash,
 };
-use motion::{Direction, Moment, Ticks, Train};
+use motion::{Direction, Moment, Ticks, Train, train::EVERY_SLOT};
 
 /// The models of tests.
 pub static MODELS: &[Model] =
@@ -131,7 +131,9 @@ impl Controller for TestController {
         if count > 0 {
             let direction = Direction::of(self.target - self.odometer);
             let start = Moment::at(self.last_pulse);
-            board.pulses(0, &Train { start, interval: INTERVAL << 32, add: 0, jerk: 0, count, direction });
+            let interval = INTERVAL << 32;
+            let train = Train { start, interval, add: 0, jerk: 0, count, direction, mask: EVERY_SLOT };
+            board.pulses(0, &train);
             self.last_pulse += u64::from(count) * INTERVAL;
             self.odometer += direction.sign() * i64::from(count);
             self.steps += u64::from(count);

@@ -148,11 +148,11 @@ fn pulses(distance: i64, step: i64) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use motion::{Direction, Moment};
+    use motion::{Direction, Moment, train::EVERY_SLOT};
 
     fn train(pulses: i64) -> Train {
         let (count, direction) = (pulses.unsigned_abs() as u32, Direction::of(pulses));
-        Train { start: Moment::at(0), interval: 1 << 40, add: 0, jerk: 0, count, direction }
+        Train { start: Moment::at(0), interval: 1 << 40, add: 0, jerk: 0, count, direction, mask: EVERY_SLOT }
     }
 
     /// Moves in pulses, and where motor and load are after each.

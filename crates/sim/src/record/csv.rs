@@ -139,7 +139,7 @@ fn decimal_thousandths(value: i64) -> String {
 mod tests {
     use super::*;
     use devices::{Pin, PinKind, Wiring};
-    use motion::{Direction, Moment};
+    use motion::{Direction, Moment, train::EVERY_SLOT};
     use std::io;
 
     static PINS: &[Pin] = &[Pin {
@@ -163,7 +163,8 @@ mod tests {
         recorder.drive(8, 0, Drive { step: 1, parts: 1, current: 31 });
         let start = Moment::at(16);
         let direction = Direction::Negative;
-        let train = Train { start, interval: 16 << 32, add: 0, jerk: 0, count: 2, direction };
+        let train =
+            Train { start, interval: 16 << 32, add: 0, jerk: 0, count: 2, direction, mask: EVERY_SLOT };
         recorder.train(0, &train);
         recorder
             .train(0, &Train { start: Moment::at(48), count: 1, direction: Direction::Positive, ..train });

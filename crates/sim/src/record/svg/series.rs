@@ -239,10 +239,18 @@ impl Buckets<Levels> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use motion::Direction;
+    use motion::{Direction, train::EVERY_SLOT};
 
     fn train(start: Ticks, interval: u64, count: u32, direction: Direction) -> Train {
-        Train { start: Moment::at(start), interval: interval << 32, add: 0, jerk: 0, count, direction }
+        Train {
+            start: Moment::at(start),
+            interval: interval << 32,
+            add: 0,
+            jerk: 0,
+            count,
+            direction,
+            mask: EVERY_SLOT,
+        }
     }
 
     #[test]
