@@ -1,6 +1,20 @@
-//! The A-SCRIPT language of the Performax and Commander controllers.
-#![cfg_attr(not(test), no_std)]
+//! A-SCRIPT, the language of the Performax and Commander controllers: its words, virtual machine, compiler,
+//! decompiler and formatter.
+//!
+//! [`isa`] is the one table of words. A program becomes compiled lines ([`mod@line`]) in a memory that up to
+//! four threads execute ([`vm`]). This crate does not know which device runs it: what is not arithmetic,
+//! a condition or a call is handed to the device. A [`Dialect`] says what the families have more or less of.
+//!
+//! Words, lines and machine need no allocator; the compiler ([`compile`]), decompiler ([`decompile`]),
+//! formatter ([`format`]) and program files ([`image`]) are behind the feature `std`.
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 pub mod dialect;
+pub mod isa;
+pub mod line;
+pub mod vm;
 
 pub use dialect::Dialect;
+pub use isa::{Direction, Place, Word};
+pub use line::Line;
+pub use vm::{Action, Exit, Fault, Memory, State, Thread};
