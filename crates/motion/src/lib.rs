@@ -8,9 +8,11 @@
 
 pub mod axis;
 mod block;
+pub mod closed_loop;
 pub mod compare;
 pub mod encoder;
 pub mod homing;
+pub mod joystick;
 pub mod line;
 pub mod plan;
 pub mod pps;

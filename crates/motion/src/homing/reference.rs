@@ -4,7 +4,8 @@
 //! slowly; where "both sides" are asked for, the zero point is the middle of these two switching points,
 //! otherwise the second. A home switch is crossed slowly, and the zero point is its middle.
 
-use super::{Mark, Pace, Step, Switch, Zero};
+use super::Pace;
+use super::search::{Mark, Step, Switch, Zero};
 use crate::train::Direction::{self, Negative, Positive};
 
 /// The steps of a search mode, 1 to 8.
