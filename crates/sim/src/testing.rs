@@ -31,6 +31,7 @@ static PINS: &[Pin] = &[
     pin("INDEX", PinKind::Index(0), Wiring::Index(0), "", 0),
     Pin { scale: 10, ..pin("SUPPLY", PinKind::Analog, Wiring::Supply, "V", 240) },
     pin("OUT", PinKind::Output, Wiring::Free, "", 0),
+    pin("TEMPERATURE", PinKind::Analog, Wiring::Temperature, "°C", 25),
 ];
 
 /// What a test tells the controller, as bytes.

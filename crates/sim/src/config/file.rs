@@ -5,7 +5,7 @@ use super::{
     MAX_PULSES,
 };
 use crate::flash::SharedFlash;
-use devices::Model;
+use devices::{Model, Wiring};
 use serde::Deserialize;
 use std::{collections::BTreeMap, path::Path};
 use toml::{
@@ -138,6 +138,15 @@ fn device(
         }
         listen.push(endpoint);
     }
+    let controller = (model.build)(Box::new(SharedFlash::erased(model.flash_bytes)), 0);
+    let has = |wiring: Wiring| controller.pins().iter().any(|pin| pin.wiring == wiring);
+    for (key, given, wiring) in
+        [("supply", entry.supply, Wiring::Supply), ("temperature", entry.temperature, Wiring::Temperature)]
+    {
+        if given.is_some() && !has(wiring) {
+            return Err(wrong(&[key], format!("{} has no pin that measures this", model.name)));
+        }
+    }
     let supply_v = entry.supply.unwrap_or(DEFAULT_SUPPLY_V);
     if !(0.0..=1000.0).contains(&supply_v) {
         return Err(wrong(&["supply"], format!("{supply_v} V is outside 0 to 1000 V")));
@@ -146,7 +155,8 @@ fn device(
     if !(-273.0..=1000.0).contains(&temperature_c) {
         return Err(wrong(&["temperature"], format!("{temperature_c} °C is outside -273 to 1000 °C")));
     }
-    let names = axis_names(model);
+    // Only a controller itself knows its axes.
+    let names = controller.axes();
     let mut axes = BTreeMap::new();
     for (axis, entry) in entry.axis {
         if !names.contains(&axis.as_str()) {
@@ -227,11 +237,6 @@ pub fn is_name(name: &str) -> bool {
     !name.starts_with('.')
         && (1..=64).contains(&name.len())
         && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))
-}
-
-/// Only a controller itself knows its axes.
-fn axis_names(model: &Model) -> &'static [&'static str] {
-    (model.build)(Box::new(SharedFlash::erased(model.flash_bytes)), 0).axes()
 }
 
 struct Source<'a> {

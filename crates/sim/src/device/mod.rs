@@ -42,7 +42,7 @@ pub enum AxisError {
         /// All names.
         known: String,
     },
-    /// A load is a number from 0 to 1000, a push goes [`MAX_PULSES`] at most.
+    /// A load is a number from 0 to 1000; a push goes, and pulses are lost, [`MAX_PULSES`] at most.
     #[error("the value is out of range")]
     Range,
 }
@@ -251,7 +251,7 @@ impl VirtualDevice {
         Ok(())
     }
 
-    /// Turns the motor of an axis from outside, by 1/256 full steps.
+    /// Turns the motor of an axis from outside, in the unit of [`AxisConfig`](crate::AxisConfig).
     ///
     /// # Errors
     /// [`AxisError`].
@@ -267,6 +267,21 @@ impl VirtualDevice {
         Ok(())
     }
 
+    /// Lets the motor of an axis lose so many of the pulses to come, in whatever direction.
+    ///
+    /// # Errors
+    /// [`AxisError`].
+    pub fn lose(&mut self, axis: &str, pulses: u64) -> Result<(), AxisError> {
+        let axis = self.axis_index(axis)?;
+        if pulses > MAX_PULSES.unsigned_abs() {
+            return Err(AxisError::Range);
+        }
+        self.world.machine.lose(axis, pulses);
+        self.world.windows[axis] = None;
+        self.settle();
+        Ok(())
+    }
+
     /// What the driver stage of an axis does.
     ///
     /// # Errors
@@ -275,7 +290,8 @@ impl VirtualDevice {
         Ok(self.world.machine.drive(self.axis_index(axis)?))
     }
 
-    /// Where the driven side of an axis really is, in 1/256 full steps from where it first stood.
+    /// Where the driven side of an axis really is, from where it first stood, in the unit of
+    /// [`AxisConfig`](crate::AxisConfig).
     ///
     /// # Errors
     /// [`AxisError::Unknown`].

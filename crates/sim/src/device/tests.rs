@@ -178,6 +178,20 @@ fn a_stalled_shaft_loses_pulses() {
 }
 
 #[test]
+fn lost_pulses_are_counted_but_not_followed() {
+    let mut device = device(small());
+    order(&mut device, Order::Watch(1 << STOP_R));
+    device.lose("0", 70).unwrap();
+    go(&mut device, 40);
+    go(&mut device, 0);
+    // 40 were lost on the way up, 30 on the way back.
+    assert_eq!((device.axis(0).position, device.shaft("0")), (0, Ok(-10)));
+    assert!(go(&mut device, 1100).contains(&(STOP_R, false, 1010)));
+    assert_eq!(device.lose("1", 1).unwrap_err().to_string(), "there is no axis `1`, the device has: 0");
+    assert_eq!(device.lose("0", u64::MAX), Err(AxisError::Range));
+}
+
+#[test]
 fn pushing_turns_the_shaft_under_the_controller() {
     let mut device = device(small());
     order(&mut device, Order::Watch(1 << STOP_R));
@@ -220,7 +234,7 @@ fn pins_take_what_fits_them() {
     check("SUPPLY", PinValue::Number(1e12), Err("`SUPPLY` cannot have this value"));
     check("SUPPLY", PinValue::Number(f64::NAN), Err("`SUPPLY` cannot have this value"));
     check("OUT", PinValue::Level(true), Err("`OUT` is an output, only the controller drives it"));
-    let known = "the device has: STOP_L, STOP_R, HOME, INDEX, SUPPLY, OUT";
+    let known = "the device has: STOP_L, STOP_R, HOME, INDEX, SUPPLY, OUT, TEMPERATURE";
     check("DI1", PinValue::Level(true), Err(&format!("there is no pin `DI1`, {known}")));
     let reports: Vec<_> = device.drain_sent().map(|sent| report(&sent.bytes)).collect();
     assert_eq!(reports, [(STOP_L, true, 0), (SUPPLY, true, 85)]);
@@ -310,6 +324,7 @@ enum Call {
     Drive(i16, u8),
     Load(f64),
     Push(i64),
+    Lose(u64),
     Watch(u8),
     Pin(&'static str, bool),
     Release(&'static str),
@@ -324,6 +339,7 @@ fn call() -> impl Strategy<Value = Call> {
         1 => (-256_i16..=256, 0_u8..=32).prop_map(|(step, current)| Call::Drive(step, current)),
         1 => (0.0..1.2).prop_map(Call::Load),
         1 => (-500_i64..500).prop_map(Call::Push),
+        1 => (0_u64..300).prop_map(Call::Lose),
         1 => any::<u8>().prop_map(Call::Watch),
         1 => (digital(), any::<bool>()).prop_map(|(pin, on)| Call::Pin(pin, on)),
         1 => digital().prop_map(Call::Release),
@@ -338,6 +354,7 @@ fn make(device: &mut VirtualDevice, call: &Call) {
         Call::Drive(step, current) => order(device, Order::Drive(step, current)),
         Call::Load(load) => device.set_load("0", load).unwrap(),
         Call::Push(distance) => device.push("0", distance).unwrap(),
+        Call::Lose(pulses) => device.lose("0", pulses).unwrap(),
         Call::Watch(pins) => order(device, Order::Watch(pins)),
         Call::Pin(pin, on) => device.drive_pin(pin, PinValue::Level(on)).unwrap(),
         Call::Release(pin) => device.release_pin(pin).unwrap(),
@@ -395,8 +412,8 @@ proptest! {
         let (mut pushed, mut seen, mut expected, mut step) = (0, 0, 0, 1);
         for call in &calls {
             let (before, follows) = match call {
-                // Stalls have a test of their own.
-                Call::Load(_) => continue,
+                // Stalls and lost pulses have tests of their own.
+                Call::Load(_) | Call::Lose(_) => continue,
                 Call::Push(distance) => { pushed += distance; (step, step != 0) }
                 _ => (step, step != 0),
             };

@@ -121,6 +121,11 @@ impl Machine {
         self.axes[axis].turn(distance);
     }
 
+    /// The motor of an axis will not follow so many pulses.
+    pub fn lose(&mut self, axis: usize, pulses: u64) {
+        self.axes[axis].lose(pulses);
+    }
+
     pub fn load_permille(&self, axis: usize) -> u16 {
         self.axes[axis].load_permille().min(u32::from(u16::MAX)) as u16
     }

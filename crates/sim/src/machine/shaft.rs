@@ -33,7 +33,8 @@ pub(crate) struct Edge {
 /// A motor that follows its trains unless it has no current, is loaded too much, or stands against
 /// something.
 ///
-/// Positions count 1/256 of a full step. The driven side lies between the motor and the backlash above
+/// Positions count what one pulse turns at full resolution: 1/256 of a full step for a driver with
+/// microsteps. The driven side lies between the motor and the backlash above
 /// it: it follows upward motion at once and downward motion after the play.
 #[derive(Clone, Debug)]
 pub(crate) struct Shaft {
@@ -43,6 +44,8 @@ pub(crate) struct Shaft {
     stops: [i64; 2],
     drive: Drive,
     load_permille: u32,
+    /// How many of the next pulses the motor will not follow.
+    losing: u64,
     odometer: i64,
     pushing: i64,
 }
@@ -50,7 +53,17 @@ pub(crate) struct Shaft {
 impl Shaft {
     pub fn new(backlash: i64, stops: Option<[i64; 2]>) -> Self {
         let stops = stops.unwrap_or([-NEVER, NEVER]);
-        Self { motor: 0, load: 0, backlash, stops, drive: UNTOLD, load_permille: 0, odometer: 0, pushing: 0 }
+        Self {
+            motor: 0,
+            load: 0,
+            backlash,
+            stops,
+            drive: UNTOLD,
+            load_permille: 0,
+            losing: 0,
+            odometer: 0,
+            pushing: 0,
+        }
     }
 
     /// The controller was switched off and on: it counts from 0 again, the shaft stays where it is.
@@ -97,12 +110,20 @@ impl Shaft {
         current > 0 && self.load_permille <= torque
     }
 
+    /// The motor will not follow so many of the pulses that it would follow, from the next one on.
+    pub fn lose(&mut self, pulses: u64) {
+        self.losing = self.losing.saturating_add(pulses);
+    }
+
     /// The pulses of a train.
     pub fn follow(&mut self, train: &Train) {
-        let pulses = train.direction.sign() * i64::from(train.count);
-        self.odometer += pulses;
+        let sign = train.direction.sign();
+        self.odometer += sign * i64::from(train.count);
         if self.follows() {
-            self.turn(pulses * i64::from(self.drive.step));
+            let lost = self.losing.min(train.count.into());
+            self.losing -= lost;
+            let pulses = i64::from(train.count) - lost as i64;
+            self.turn(sign * pulses * i64::from(self.drive.step));
         }
     }
 
@@ -122,6 +143,10 @@ impl Shaft {
         let step = i64::from(self.drive.step);
         if !self.follows() || step == 0 {
             return (-NEVER, NEVER);
+        }
+        // Each pulse that is lost moves the edges, whatever its direction.
+        if self.losing > 0 {
+            return (self.odometer - 1, self.odometer + 1);
         }
         let [stop_below, stop_above] = self.stops;
         // The next stop, or the very next pulse off the one it leans on or into it.
@@ -212,6 +237,23 @@ mod tests {
             shaft.set_load(load);
             assert_eq!(shaft.follows(), follows, "current {current}, load {load}");
         }
+    }
+
+    #[test]
+    fn pulses_are_lost_in_both_directions() {
+        let mut shaft = Shaft::new(0, None);
+        shaft.lose(5);
+        check(shaft.clone(), &[(3, 0, 0), (-3, -1, -1), (10, 9, 9)]);
+        assert_eq!(shaft.window(&[edge(Side::Motor, -33, 32)]), (-1, 1));
+        shaft.follow(&train(5));
+        assert_eq!(shaft.window(&[edge(Side::Motor, -33, 32)]), (5 - 33, 5 + 32));
+        // What a motor without current does not follow anyway is not lost.
+        shaft.lose(2);
+        shaft.set_drive(Drive { step: 1, parts: 1, current: 0 });
+        shaft.follow(&train(10));
+        shaft.set_drive(Drive { step: 1, parts: 1, current: 32 });
+        shaft.follow(&train(10));
+        assert_eq!(shaft.position(Side::Load), 8);
     }
 
     #[test]
