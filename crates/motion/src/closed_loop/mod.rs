@@ -24,6 +24,8 @@
 //! - Switched off, P is the pulse counter, which has counted all along, corrections included.
 
 mod ratio;
+#[cfg(test)]
+mod tests;
 
 use crate::axis::{Axis, Goal};
 pub use ratio::{MAX_THOUSANDTHS, Ratio};
@@ -158,7 +160,7 @@ impl StepNLoop {
         if self.is_on() { self.position(axis, ratio).wrapping_sub(encoder) } else { 0 }
     }
 
-    /// Switches it on, with the axis at rest: the encoder's position is the target.
+    /// Switches it on: the encoder's position is the target.
     pub fn enable(&mut self, axis: &Axis, encoder: i32) {
         if !self.is_on() {
             self.hold(axis, encoder);
@@ -201,7 +203,7 @@ impl StepNLoop {
         Some(axis.position().wrapping_add(pulses))
     }
 
-    /// A motion begins. Nothing while the loop is off or in an error.
+    /// A motion has begun: the axis has its goal, or the homing routine had its first turn. Nothing while the loop is off or in an error.
     pub fn begin(&mut self, axis: &Axis, motion: Motion) {
         if !self.is_on() || self.status.is_error() {
             return;
@@ -223,8 +225,9 @@ impl StepNLoop {
         };
     }
 
-    /// A limit has stopped the motor, and that is an error.
-    pub fn limit(&mut self, axis: &Axis, ratio: Ratio) {
+    /// A limit has stopped the motor, and that is an error. Where it is none (`IERR=1`), this is a
+    /// [`Motion::Abort`].
+    pub fn limit(&mut self, axis: &mut Axis, ratio: Ratio) {
         if self.is_on() && !self.status.is_error() {
             self.fail(axis, ratio, Status::LimitError);
         }
@@ -241,7 +244,6 @@ impl StepNLoop {
             _ if axis.is_moving() => {
                 let delta = self.delta(axis, encoder, settings.ratio);
                 if delta.unsigned_abs() > settings.range {
-                    axis.halt();
                     self.fail(axis, settings.ratio, Status::StallError);
                 }
             }
@@ -264,23 +266,27 @@ impl StepNLoop {
         let delta = self.target.wrapping_sub(encoder);
         let pulses = settings.ratio.pulses(delta.into());
         if delta.unsigned_abs() > settings.range {
-            self.status = Status::RangeError;
-        } else if delta.unsigned_abs() <= settings.tolerance || pulses == 0 {
+            return self.fail(axis, settings.ratio, Status::RangeError);
+        }
+        if delta.unsigned_abs() <= settings.tolerance || pulses == 0 {
             self.status = Status::Idle;
             self.attempts = 0;
             self.waited = 0;
-        } else if self.waited < SETTLING_POLLS {
-            self.waited += 1;
-        } else if self.attempts >= settings.attempts {
-            self.status = Status::AttemptError;
-        } else {
-            self.attempts += 1;
-            self.waited = 0;
-            self.status = Status::Correcting;
-            self.corrected_from = axis.odometer();
-            let pulses = pulses.clamp(-i64::from(i32::MAX), i32::MAX.into());
-            axis.set_goal(Goal::Position(axis.position().wrapping_add(pulses as i32)));
+            return;
         }
+        self.waited += 1;
+        if self.waited < SETTLING_POLLS {
+            return;
+        }
+        if self.attempts >= settings.attempts {
+            return self.fail(axis, settings.ratio, Status::AttemptError);
+        }
+        self.attempts += 1;
+        self.waited = 0;
+        self.status = Status::Correcting;
+        self.corrected_from = axis.odometer();
+        let pulses = pulses.clamp(-i64::from(i32::MAX), i32::MAX.into());
+        axis.set_goal(Goal::Position(axis.position().wrapping_add(pulses as i32)));
     }
 
     /// What the pulses say, in counts.
@@ -302,15 +308,16 @@ impl StepNLoop {
         self.corrected_from = axis.odometer();
     }
 
-    /// Stays where the encoder stands.
+    /// Stays where the encoder stands; a motion that is on goes on as a jog.
     fn hold(&mut self, axis: &Axis, encoder: i32) {
-        *self =
-            Self { status: Status::Idle, origin: (axis.odometer(), encoder), target: encoder, ..Self::new() };
+        let status = if axis.is_moving() { Status::Jogging } else { Status::Idle };
+        *self = Self { status, origin: (axis.odometer(), encoder), target: encoder, ..Self::new() };
     }
 
-    /// Stays in an error, with P as it is.
-    fn fail(&mut self, axis: &Axis, ratio: Ratio, error: Status) {
+    /// Stops the motor and stays in an error, with P as it is.
+    fn fail(&mut self, axis: &mut Axis, ratio: Ratio, error: Status) {
         self.target = self.position(axis, ratio);
         self.status = error;
+        axis.halt();
     }
 }
