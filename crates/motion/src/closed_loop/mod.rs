@@ -203,7 +203,8 @@ impl StepNLoop {
         Some(axis.position().wrapping_add(pulses))
     }
 
-    /// A motion has begun: the axis has its goal, or the homing routine had its first turn. Nothing while the loop is off or in an error.
+    /// A motion begins: before the next poll the axis gets its goal, or the homing routine its first turn.
+    /// Nothing while the loop is off or in an error.
     pub fn begin(&mut self, axis: &Axis, motion: Motion) {
         if !self.is_on() || self.status.is_error() {
             return;
@@ -227,7 +228,7 @@ impl StepNLoop {
 
     /// A limit has stopped the motor, and that is an error. Where it is none (`IERR=1`), this is a
     /// [`Motion::Abort`].
-    pub fn limit(&mut self, axis: &mut Axis, ratio: Ratio) {
+    pub fn limit(&mut self, axis: &Axis, ratio: Ratio) {
         if self.is_on() && !self.status.is_error() {
             self.fail(axis, ratio, Status::LimitError);
         }
@@ -242,10 +243,7 @@ impl StepNLoop {
             Status::Off => {}
             status if status.is_error() => {}
             _ if axis.is_moving() => {
-                let delta = self.delta(axis, encoder, settings.ratio);
-                if delta.unsigned_abs() > settings.range {
-                    self.fail(axis, settings.ratio, Status::StallError);
-                }
+                self.watch(axis, encoder, settings);
             }
             Status::Stopping | Status::Aborting | Status::Jogging => self.hold(axis, encoder),
             Status::Homing | Status::IndexHoming | Status::LimitHoming => {
@@ -258,7 +256,21 @@ impl StepNLoop {
                 self.verify(axis, encoder, settings);
             }
         }
+        if self.status.is_error() && self.status != before {
+            axis.halt();
+        }
         (self.status != before).then_some(self.status)
+    }
+
+    /// Watches a motion, and is to be called instead of [`Self::poll`] while a line carries the axis:
+    /// whether this is a stall error and the motion has to stop at once.
+    pub fn watch(&mut self, axis: &Axis, encoder: i32, settings: &Settings) -> bool {
+        let watching = self.is_on() && !self.status.is_error();
+        let stalled = watching && self.delta(axis, encoder, settings.ratio).unsigned_abs() > settings.range;
+        if stalled {
+            self.fail(axis, settings.ratio, Status::StallError);
+        }
+        stalled
     }
 
     /// The axis is at rest: is it where it should be?
@@ -314,10 +326,9 @@ impl StepNLoop {
         *self = Self { status, origin: (axis.odometer(), encoder), target: encoder, ..Self::new() };
     }
 
-    /// Stops the motor and stays in an error, with P as it is.
-    fn fail(&mut self, axis: &mut Axis, ratio: Ratio, error: Status) {
+    /// Stays in an error, with P as it is.
+    fn fail(&mut self, axis: &Axis, ratio: Ratio, error: Status) {
         self.target = self.position(axis, ratio);
         self.status = error;
-        axis.halt();
     }
 }

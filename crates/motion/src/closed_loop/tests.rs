@@ -335,6 +335,18 @@ fn a_disturbed_jog() {
 }
 
 #[test]
+fn a_line_carries_the_axis() {
+    let mut bench = Bench::new(SETTINGS);
+    bench.snl.begin(&bench.axis, Motion::To(500));
+    bench.axis.carry(Direction::Positive, 200);
+    assert!(!bench.snl.watch(&bench.axis, 100, &SETTINGS));
+    assert_eq!((bench.snl.status(), bench.position()), (Status::Moving, 200));
+    assert!(bench.snl.watch(&bench.axis, 99, &SETTINGS));
+    assert_eq!((bench.snl.status(), bench.position()), (Status::StallError, 200));
+    assert!(!bench.snl.watch(&bench.axis, 99, &SETTINGS), "once");
+}
+
+#[test]
 fn stopped_in_a_correction() {
     let mut bench = Bench::new(SETTINGS);
     bench.shaft = 80;
@@ -403,8 +415,12 @@ fn a_limit_and_switching_off() {
     let mut bench = Bench::new(SETTINGS);
     bench.jog(Direction::Positive);
     bench.run(100);
-    bench.snl.limit(&mut bench.axis, Ratio::ONE);
-    assert_eq!((bench.snl.status() as u8, bench.axis.is_moving()), (11, false));
+    bench.axis.halt();
+    bench.snl.limit(&bench.axis, Ratio::ONE);
+    let position = bench.position();
+    bench.shaft += 5;
+    bench.run(100);
+    assert_eq!((bench.snl.status() as u8, bench.position(), bench.delta()), (11, position, -5));
     bench.snl.disable();
     bench.snl.clear(&bench.axis, bench.encoder());
     assert_eq!((bench.snl.status() as u8, bench.delta()), (12, 0));
