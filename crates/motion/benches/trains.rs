@@ -3,7 +3,8 @@
 //! Each figure is the median of many short runs, taken in turn with its baseline, a plain loop that
 //! writes timestamps with `interval += add`. `cargo bench -p motion --bench trains -- expand` runs some.
 
-use motion::{Axis, Goal, Limits, Shape, Ticks, Train, tmc429};
+use motion::pps::{self, CLOCK_HZ, Profile};
+use motion::{Axis, Goal, Limits, Line, Shape, Ticks, Train, tmc429};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -51,6 +52,38 @@ fn trapezoid(shape: Shape) -> Vec<Train> {
         axis.advance(wake, |train| trains.push(*train));
     }
     trains
+}
+
+/// The limits of a Performax that goes from 1,000 to 100,000 pulses a second in 300 ms.
+fn performax(s_curve: bool) -> Limits {
+    let [low_pps, high_pps] = [1000, 100_000];
+    let profile = Profile { low_pps, high_pps, acceleration_ms: 300, deceleration_ms: 300, s_curve };
+    profile.limits(pps::scale(high_pps, CLOCK_HZ), CLOCK_HZ)
+}
+
+/// Moves there and back with all their edges, until there are as many as the room.
+fn make_edges(axis: &mut Axis, way: i32, edges: &mut [Ticks]) -> usize {
+    let mut done = 0;
+    while done < edges.len() {
+        let Some(wake) = axis.wake() else {
+            let target = if axis.position() == 0 { way } else { 0 };
+            axis.set_goal(Goal::Position(target));
+            continue;
+        };
+        axis.advance(wake, |train| done += train.expand(black_box(&mut edges[done..])));
+    }
+    done
+}
+
+/// The edges of both axes of a line.
+fn line_edges(now: &mut Ticks, axes: &mut [Axis; 2], way: [i32; 2], edges: &mut [Ticks]) -> usize {
+    let mut done = 0;
+    let mut line = Line::new(performax(false), way, *now, axes);
+    while let Some(wake) = line.wake(axes) {
+        *now = wake;
+        line.advance(wake, axes, |_, train| done += train.expand(black_box(&mut edges[done..])));
+    }
+    done
 }
 
 /// The baseline: timestamps at a spacing that changes evenly.
@@ -117,5 +150,20 @@ fn main() {
     ] {
         let mut axis = Axis::new(limits(shape));
         compare(name, goal, &mut || make(&mut axis, way, 2000));
+    }
+    for (name, s_curve, way, goal) in [
+        ("S-curves, made and expanded, edges", true, 30_000, Some(150.0)),
+        ("trapezoids, made and expanded, edges", false, 30_000, None),
+        ("moves of 80 pulses, made and expanded, edges", false, 80, Some(100.0)),
+    ] {
+        let mut axis = Axis::new(performax(s_curve));
+        compare(name, goal, &mut || make_edges(&mut axis, way, &mut edges));
+    }
+    for (name, way) in [
+        ("lines of two axes, edges of both", [30_000, -18_541]),
+        ("lines of two axes nearly along one, edges", [30_000, 200]),
+    ] {
+        let (mut axes, mut now) = ([(); 2].map(|()| Axis::new(performax(false))), 0);
+        compare(name, Some(200.0), &mut || line_edges(&mut now, &mut axes, way, &mut edges));
     }
 }

@@ -147,9 +147,22 @@ impl Axis {
         })
     }
 
-    /// Overwrites the position counter. The axis need not stand still; a target stays where it is.
+    /// Overwrites the position counter. The axis need not stand still; a target stays where it is, and the
+    /// way to it changes.
     pub fn set_position(&mut self, position: i32) {
-        self.change(|axis| axis.position = position);
+        match self.goal {
+            Goal::Position(_) => self.change(|axis| axis.position = position),
+            Goal::Speed(..) => self.position = position,
+        }
+    }
+
+    /// Gives the present place another number, and a target the one that is as far away as before: the motion
+    /// goes on as if nothing had happened.
+    pub fn renumber(&mut self, position: i32) {
+        if let Goal::Position(target) = &mut self.goal {
+            *target = target.wrapping_add(position.wrapping_sub(self.position));
+        }
+        self.position = position;
     }
 
     /// Changes what the axis wants.
