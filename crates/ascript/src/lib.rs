@@ -9,12 +9,28 @@
 //! formatter ([`format`]) and program files ([`image`]) are behind the feature `std`.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
+#[cfg(feature = "std")]
+pub mod compiler;
+#[cfg(feature = "std")]
+pub mod decompiler;
 pub mod dialect;
+#[cfg(feature = "std")]
+mod formatter;
+#[cfg(feature = "std")]
+pub mod image;
 pub mod isa;
+#[cfg(feature = "std")]
+mod layout;
 pub mod line;
 pub mod vm;
 
+#[cfg(feature = "std")]
+pub use compiler::compile;
+#[cfg(feature = "std")]
+pub use decompiler::decompile;
 pub use dialect::Dialect;
+#[cfg(feature = "std")]
+pub use formatter::format;
 pub use isa::{Direction, Place, Word};
 pub use line::Line;
 pub use vm::{Action, Exit, Fault, Memory, State, Thread};

@@ -1,0 +1,121 @@
+//! Characters to tokens.
+
+use super::source::{Source, Span};
+use logos::Logos;
+
+/// A token.
+#[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
+#[logos(skip r"[ \t\u{C}\u{A0}\u{FEFF}]+")]
+pub(super) enum Token {
+    #[regex(r"\r\n|\n|\r")]
+    LineEnd,
+    #[regex(r";[^\r\n]*", allow_greedy = true)]
+    Comment,
+    /// Letters; a number behind them is a token of its own.
+    #[regex(r"[\p{L}_]+")]
+    Word,
+    #[regex(r"[0-9]+")]
+    Number,
+    #[token("=")]
+    Equals,
+    #[token("!=")]
+    #[token(">")]
+    #[token("<")]
+    #[token(">=")]
+    #[token("<=")]
+    Comparison,
+    #[token("+")]
+    Plus,
+    #[token("-")]
+    Minus,
+    #[token("*")]
+    #[token("/")]
+    #[token("%")]
+    #[token(">>")]
+    #[token("<<")]
+    #[token("&")]
+    #[token("|")]
+    Operator,
+    #[token("~")]
+    Tilde,
+    #[token(":")]
+    Colon,
+    /// A character that means nothing.
+    Unknown,
+}
+
+/// A line of a source.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Tokens {
+    /// What is to be compiled.
+    pub(super) tokens: Vec<(Token, Span)>,
+    /// The comment behind it.
+    pub(super) comment: Option<Span>,
+}
+
+/// The tokens of each line.
+pub(super) fn lines(source: &Source) -> Vec<Tokens> {
+    let mut lines = Vec::with_capacity(source.line_count());
+    let mut line = Tokens::default();
+    for (token, span) in Token::lexer(&source.text).spanned() {
+        match token.unwrap_or(Token::Unknown) {
+            Token::LineEnd => lines.push(std::mem::take(&mut line)),
+            Token::Comment => line.comment = Some(span),
+            token => line.tokens.push((token, span)),
+        }
+    }
+    lines.push(line);
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tokens() {
+        use Token::*;
+        let check = |text: &str, expected: &[(Token, &str)]| {
+            let source = Source::new("a", text.as_bytes());
+            let tokens: Vec<_> = lines(&source).into_iter().flat_map(|line| line.tokens).collect();
+            let found: Vec<_> = tokens.iter().map(|(token, span)| (*token, source.slice(span))).collect();
+            assert_eq!(found, expected);
+        };
+        check("X1000YV2 ; x", &[(Word, "X"), (Number, "1000"), (Word, "YV"), (Number, "2")]);
+        check(
+            "V1=~V2",
+            &[(Word, "V"), (Number, "1"), (Equals, "="), (Tilde, "~"), (Word, "V"), (Number, "2")],
+        );
+        check("HOMEX-6", &[(Word, "HOMEX"), (Minus, "-"), (Number, "6")]);
+        check(
+            "> >> >= < << <= != & |",
+            &[
+                (Comparison, ">"),
+                (Operator, ">>"),
+                (Comparison, ">="),
+                (Comparison, "<"),
+                (Operator, "<<"),
+                (Comparison, "<="),
+                (Comparison, "!="),
+                (Operator, "&"),
+                (Operator, "|"),
+            ],
+        );
+        check(
+            "1:+2 ? ö",
+            &[(Number, "1"), (Colon, ":"), (Plus, "+"), (Number, "2"), (Unknown, "?"), (Word, "ö")],
+        );
+    }
+
+    #[test]
+    fn comments_and_lines() {
+        let source = Source::new("a", b"END;a;b\r\n\r ; c\nABS");
+        let lines = lines(&source);
+        assert_eq!(lines.len(), source.line_count());
+        let comments: Vec<_> =
+            lines.iter().map(|line| line.comment.as_ref().map(|span| source.slice(span))).collect();
+        assert_eq!(comments, [Some(";a;b"), None, Some("; c"), None]);
+        let counts: Vec<_> = lines.iter().map(|line| line.tokens.len()).collect();
+        assert_eq!(counts, [1, 0, 0, 1]);
+    }
+}

@@ -1,0 +1,95 @@
+//! The compiler: source text to compiled lines.
+//!
+//! Every error is found in one go: a wrong line is reported, with the manual's name for the error, and
+//! passed over. Lines are read first, then they become blocks and compiled lines.
+
+mod diagnostic;
+mod generate;
+mod lexer;
+mod parser;
+mod source;
+pub mod syntax;
+mod words;
+
+pub use diagnostic::{Diagnostic, ErrorKind, Severity};
+pub use source::MAX_SOURCE_BYTES;
+
+pub(crate) use diagnostic::Finding;
+pub(crate) use parser::parse;
+pub(crate) use source::Source;
+
+use crate::dialect::Dialect;
+use crate::line::Line;
+
+/// How deep `IF` and `WHILE` nest.
+pub const MAX_NESTING: usize = 32;
+
+/// Compiled lines, and where they come from.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Code {
+    /// The lines, from address 0.
+    pub lines: Vec<Line>,
+    /// For each of them its line in the source, from 1.
+    pub map: Vec<usize>,
+}
+
+/// What comes out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Compilation {
+    /// The program, unless there are errors.
+    pub code: Option<Code>,
+    /// Errors and warnings, in the order of lines.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Compilation {
+    /// All messages, as a compiler prints them; empty if there are none.
+    pub fn render(&self, color: bool) -> String {
+        self.diagnostics.iter().map(|diagnostic| diagnostic.render(color) + "\n").collect()
+    }
+
+    /// Whether there are errors, and so no program.
+    pub fn has_errors(&self) -> bool {
+        self.code.is_none()
+    }
+}
+
+impl Code {
+    /// The addresses of the compiled lines that a line of the source became.
+    pub fn addresses(&self, source_line: usize) -> impl Iterator<Item = usize> {
+        let lines = self.map.iter().enumerate().filter(move |&(_, &line)| line == source_line);
+        lines.map(|(address, _)| address)
+    }
+}
+
+/// Compiles a source, which is UTF-8 or Latin-1. The name is that of the file, for messages.
+pub fn compile(name: &str, source: &[u8], dialect: &Dialect) -> Compilation {
+    let source = match read(name, source) {
+        Ok(source) => source,
+        Err(diagnostics) => return Compilation { code: None, diagnostics },
+    };
+    let (lines, mut findings) = parse(&source, dialect);
+    let (code, more) = generate::generate(&lines, dialect);
+    findings.extend(more);
+    let diagnostics = diagnostics(&source, findings);
+    let correct = diagnostics.iter().all(|diagnostic| diagnostic.kind().is_none());
+    Compilation { code: correct.then_some(code), diagnostics }
+}
+
+/// A source, unless it is too long.
+pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {
+    if bytes.len() <= MAX_SOURCE_BYTES {
+        return Ok(Source::new(name, bytes));
+    }
+    let message = format!("a source has at most {MAX_SOURCE_BYTES} bytes");
+    Err(diagnostics(&Source::new(name, &[]), vec![Finding::error(ErrorKind::Other, 0..0, message)]))
+}
+
+/// Findings about a source, in its order.
+pub(crate) fn diagnostics(source: &Source, mut findings: Vec<Finding>) -> Vec<Diagnostic> {
+    findings.sort_by_key(|finding| finding.span.start);
+    findings.into_iter().map(|finding| Diagnostic::new(source, finding)).collect()
+}
+
+#[cfg(test)]
+mod tests;
