@@ -27,6 +27,8 @@ pub enum Command {
     Disasm(DisasmArgs),
     /// Look for mistakes in a program
     Check(CheckArgs),
+    /// Lay out the sources of programs
+    Fmt(FmtArgs),
     /// Print a shell's completions
     Completions {
         /// The shell
@@ -123,6 +125,20 @@ pub struct CheckArgs {
     /// The controller that is to run it
     #[arg(long, value_name = "MODEL", value_parser = model)]
     pub device: &'static Model,
+}
+
+/// Arguments of `fmt`.
+#[derive(Group)]
+pub struct FmtArgs {
+    /// Sources, which are rewritten; `-` is standard input, and the result goes to standard output
+    #[arg(required = true, value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Change nothing; the exit status is 1 if there is something to change
+    #[arg(long)]
+    pub check: bool,
+    /// The controller that they are for
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: Option<&'static Model>,
 }
 
 /// `MODEL[=NAME]@ENDPOINT`

@@ -4,7 +4,6 @@
 //! arguments or of a file is one line there, `error: ...`, and status 1.
 
 mod args;
-mod module;
 mod programs;
 mod run;
 mod serve;
@@ -55,6 +54,7 @@ fn execute(command: Command) -> Outcome {
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Check(args) => programs::check(&args),
+        Command::Fmt(args) => programs::fmt(&args),
         Command::Completions { shell } => {
             clap_complete::generate(shell, &mut Args::command(), "pulsetrain", &mut std::io::stdout());
             Ok(())

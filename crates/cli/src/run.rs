@@ -28,7 +28,7 @@ const SEED: u64 = 0;
 
 /// Runs a program and shows what came of it.
 pub fn run(args: RunArgs) -> Outcome {
-    let program = programs::load(&args.program)?;
+    let program = programs::load(&args.program, args.device)?;
     let mut device = VirtualDevice::new(&config(&args)?, SEED);
     let info = device.record_info();
     if let Some(plot) = &args.plot

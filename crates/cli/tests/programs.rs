@@ -4,7 +4,7 @@ mod common;
 
 use common::{command, directory, outcome, refused};
 use serde_json::Value;
-use std::{fs, path::Path};
+use std::{fs, io::Write, path::Path, process::Stdio};
 
 const MOVE: &str = "MVP ABS, 0, 51200\nWAIT POS, 0, 0\nSTOP\n";
 
@@ -121,9 +121,9 @@ fn wrong_runs_are_refused_in_one_line() {
     check(&["move.tmc"], "--device <MODEL>");
     check(&["move.tmc", "--device", "pd57"], "unknown model `pd57`, known: pd42-1140");
     check(&["none.tmc", device[0], device[1]], "none.tmc: No such file");
-    check(&["text.txt", device[0], device[1]], "text.txt: a program is a .tmc or a .bin file");
+    check(&["text.txt", device[0], device[1]], "text.txt: a program of a pd42-1140 is a .tmc or .bin file");
     check(&["short.bin", device[0], device[1]], "short.bin: ");
-    check(&["move", device[0], device[1]], "move: a program is a .tmc or a .bin file");
+    check(&["move", device[0], device[1]], "move: a program of a pd42-1140 is a .tmc or .bin file");
     check(&with(&["--for", "-1"]), "a time is a number of seconds");
     check(&with(&["--for", "soon"]), "a time is a number of seconds");
     check(&with(&["--for", "NaN"]), "a time is a number of seconds");
@@ -205,7 +205,7 @@ fn wrong_files_are_refused_in_one_line() {
     check(&["disasm", "short.bin"], "short.bin: a program file has 8 bytes a command, this one has 7 bytes");
     check(&["disasm", "sum.bin"], "sum.bin: record 0 has checksum 38h");
     check(&["check", "a.tmc"], "--device <MODEL>");
-    check(&["check", "a.toml", "--device", "pd42-1140"], "a.toml: a program is a .tmc or a .bin file");
+    check(&["check", "a.toml", "--device", "pd42-1140"], "a.toml: a program of a pd42-1140 is a .tmc or .bin file");
     check(&["explode"], "unrecognized subcommand 'explode'");
     check(&["completions", "tcsh"], "invalid value 'tcsh'");
 }
@@ -240,4 +240,37 @@ fn a_reader_that_has_seen_enough_is_no_error() {
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
+#[test]
+fn sources_are_laid_out() {
+    let untidy = "loop:  mvp rel,0,100 // on\nja loop\n";
+    let tidy = "loop: MVP rel, 0, 100       // on\n    JA   loop\n";
+    let directory = directory(&[("a.tmc", untidy), ("b.tmc", tidy), ("c.md", "")]);
+    fs::write(directory.join("a.bin"), MOVE_BYTES).unwrap();
+    let check = |arguments: &[&str], status: i32, expected: &str| {
+        let (code, stdout, stderr) = outcome(&directory, &[&["fmt"], arguments].concat());
+        assert_eq!((code, stdout.as_str(), stderr.as_str()), (status, "", expected), "{arguments:?}");
+    };
+    check(&["--check", "b.tmc", "a.tmc"], 1, "error: a.tmc: the formatter would change it\n");
+    assert_eq!(fs::read_to_string(directory.join("a.tmc")).unwrap(), untidy, "nothing is written");
+    check(&["a.tmc", "b.tmc", "--device", "pd42-1140"], 0, "");
+    assert_eq!(fs::read_to_string(directory.join("a.tmc")).unwrap(), tidy);
+    check(&["--check", "a.tmc", "b.tmc"], 0, "");
+    check(&["c.md"], 1, "error: c.md: a program is a .tmc or .bin file\n");
+    check(&["a.bin"], 1, "error: a.bin: machine code has no layout\n");
+    check(&["-"], 1, "error: -: say whose program it is, with --device\n");
+    // One that fails does not keep the others from being laid out.
+    fs::write(directory.join("a.tmc"), untidy).unwrap();
+    let (status, _, stderr) = outcome(&directory, &["fmt", "none.tmc", "a.tmc"]);
+    assert!(status == 1 && stderr.starts_with("error: none.tmc: "), "{stderr}");
+    assert_eq!(fs::read_to_string(directory.join("a.tmc")).unwrap(), tidy);
+
+    let mut child = command(&directory, &["fmt", "-", "--device", "pd42-1140"]);
+    let child = child.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+    let mut child = child.unwrap();
+    child.stdin.take().unwrap().write_all(untidy.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert!(output.status.success());
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), tidy);
 }

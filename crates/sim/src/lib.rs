@@ -27,4 +27,4 @@ mod testing;
 pub use config::{AxisConfig, Bench, BenchError, Bus, DeviceConfig, Endpoint, buses};
 pub use device::{DeviceState, Input, PinError, PinValue, Sent, TimedInput, VirtualDevice};
 pub use flash::SharedFlash;
-pub use run::{RunOptions, RunResult, StopReason, run};
+pub use run::{Program, RunOptions, RunResult, StopReason, run};

@@ -1,18 +1,30 @@
 //! Running a standalone program in virtual time, from its download to its end.
 
+mod ascript;
 #[cfg(test)]
 mod tests;
+mod tmcl;
 
 use crate::device::{AxisView, PinError, TimedInput, VirtualDevice};
-use devices::{Port, ProgramRun};
+use devices::{Language, Port, ProgramRun};
 use motion::Ticks;
-use protocol::tmcl::{Frame, Reply, Request, Status};
 use serde::{Serialize, Serializer};
 use std::{collections::BTreeMap, time::Instant};
-use tmcl::{
-    image::{ImageError, from_bytes},
-    isa::Command,
-};
+
+/// A program in the form in which a device holds it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Program {
+    /// Commands of TMCL, from address 0.
+    Tmcl(Vec<::tmcl::Command>),
+    /// Compiled lines of A-SCRIPT, from line 0.
+    Ascript(Vec<::ascript::Line>),
+}
+
+impl Program {
+    fn is_for(&self, language: Language) -> bool {
+        matches!((self, language), (Self::Tmcl(_), Language::Tmcl) | (Self::Ascript(_), Language::Ascript(_)))
+    }
+}
 
 /// How long a run without a time limit waits, after the program has ended, for the axes to stand.
 pub const MAX_COAST_SECONDS: u64 = 60;
@@ -104,26 +116,27 @@ pub struct Progress {
 /// Why a program cannot be run.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RunError {
-    /// The bytes are no program file.
-    #[error(transparent)]
-    Image(#[from] ImageError),
-    /// The device did not take a command of the download.
-    #[error("the device answers status {status} to command {command} of the download")]
+    /// It is in another language.
+    #[error("a {0} has programs of another language")]
+    Language(&'static str),
+    /// The device did not take a part of the download.
+    #[error("the device answers {answer} to {command}")]
     Refused {
-        /// Number of the command in the program; the first is 0.
-        command: usize,
-        /// The status.
-        status: u8,
+        /// What it was told.
+        command: String,
+        /// What it said.
+        answer: String,
     },
-    /// The device did not answer a command of the download.
-    #[error("the device does not answer command {0} of the download")]
-    Silent(usize),
+    /// The device did not answer to a part of the download.
+    #[error("the device does not answer to {0}")]
+    Silent(String),
     /// A planned input is not possible.
     #[error(transparent)]
     Pin(#[from] PinError),
 }
 
-/// Runs a TMCL program, given as the records of a program file, until it ends or the time is up.
+/// Runs a program until it ends or the time is up. Of A-SCRIPT all programs are started that there are, as
+/// at a power-up with all bits of `SLOAD` set.
 ///
 /// The program has ended when it stands and so do the axes, so that a program whose last command is a
 /// move shows its outcome.
@@ -132,7 +145,7 @@ pub enum RunError {
 /// [`RunError`].
 pub fn run(
     device: &mut VirtualDevice,
-    program: &[u8],
+    program: &Program,
     options: &RunOptions,
     mut progress: impl FnMut(Progress),
 ) -> Result<RunResult, RunError> {
@@ -143,7 +156,10 @@ pub fn run(
         device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
     }
     let instructions = instructions(device);
-    command(device, 0, control(RUN), Status::OK)?;
+    match program {
+        Program::Tmcl(_) => tmcl::start(device)?,
+        Program::Ascript(lines) => ascript::start(device, lines)?,
+    }
 
     let limit = options.for_seconds.map(|seconds| start.saturating_add(device.ticks(seconds)));
     let end = limit.unwrap_or(Ticks::MAX);
@@ -191,46 +207,22 @@ fn instructions(device: &VirtualDevice) -> u64 {
     device.programs().map(|program| program.instructions).sum()
 }
 
-// Commands of a host that control the program memory (manual, section 3.7.53).
-const STOP: u8 = 128;
-const RUN: u8 = 129;
-const ENTER_DOWNLOAD: u8 = 132;
-const EXIT_DOWNLOAD: u8 = 133;
-
-const fn control(opcode: u8) -> Command {
-    Command { opcode, kind: 0, motor: 0, value: 0 }
-}
-
-/// Downloads a TMCL program over the wire, as a host does.
+/// Downloads a program over the wire, as a host does, and leaves it standing.
 ///
 /// # Errors
 /// [`RunError`].
-pub fn load(device: &mut VirtualDevice, program: &[u8]) -> Result<(), RunError> {
-    let commands = from_bytes(program)?;
-    command(device, 0, control(STOP), Status::OK)?;
-    command(device, 0, control(ENTER_DOWNLOAD), Status::OK)?;
-    for (number, stored) in commands.iter().enumerate() {
-        command(device, number, *stored, Status::LOADED)?;
+pub fn load(device: &mut VirtualDevice, program: &Program) -> Result<(), RunError> {
+    let model = device.config().model;
+    match program {
+        _ if !program.is_for(model.language) => Err(RunError::Language(model.name)),
+        Program::Tmcl(commands) => tmcl::load(device, commands),
+        Program::Ascript(lines) => ascript::load(device, lines),
     }
-    command(device, commands.len(), control(EXIT_DOWNLOAD), Status::OK)
 }
 
-/// Sends one command over USB, where any address will do, and looks at the answer.
-fn command(
-    device: &mut VirtualDevice,
-    number: usize,
-    command: Command,
-    expected: Status,
-) -> Result<(), RunError> {
-    let Command { opcode, kind, motor, value } = command;
-    let request = Request { address: 1, opcode, kind, motor, value };
+/// Sends bytes over USB, where any address will do, and gives what comes back.
+fn exchange(device: &mut VirtualDevice, bytes: &[u8]) -> Option<Vec<u8>> {
     device.drain_sent().for_each(drop);
-    device.receive(Port::Usb, &request.emit().0);
-    let answer = device.drain_sent().find(|sent| sent.port == Port::Usb);
-    let reply = answer.and_then(|sent| Reply::parse(&Frame(sent.bytes.try_into().ok()?)).ok());
-    match reply {
-        None => Err(RunError::Silent(number)),
-        Some(reply) if reply.status == expected => Ok(()),
-        Some(reply) => Err(RunError::Refused { command: number, status: reply.status.0 }),
-    }
+    device.receive(Port::Usb, bytes);
+    device.drain_sent().find(|sent| sent.port == Port::Usb).map(|sent| sent.bytes)
 }

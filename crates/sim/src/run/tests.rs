@@ -6,22 +6,18 @@ use crate::{
     device::{Input, PinValue},
     record,
 };
+use ::tmcl::Command;
+use protocol::tmcl::Status;
 
 const MVP: u8 = 4;
 const ROR: u8 = 1;
-const SAP: u8 = 5;
 const JA: u8 = 22;
 const WAIT: u8 = 27;
 const END: u8 = 28;
 
-fn program(commands: &[(u8, u8, u8, i32)]) -> Vec<u8> {
-    let record = |(opcode, kind, motor, value): &(u8, u8, u8, i32)| {
-        let mut record = vec![*opcode, *kind, *motor];
-        record.extend(value.to_be_bytes());
-        record.push(record.iter().fold(0, |sum: u8, byte| sum.wrapping_add(*byte)));
-        record
-    };
-    commands.iter().flat_map(record).collect()
+fn program(commands: &[(u8, u8, u8, i32)]) -> Program {
+    let command = |&(opcode, kind, motor, value)| Command { opcode, kind, motor, value };
+    Program::Tmcl(commands.iter().map(command).collect())
 }
 
 fn device() -> VirtualDevice {
@@ -29,7 +25,7 @@ fn device() -> VirtualDevice {
 }
 
 /// There and back, with rests.
-fn there_and_back() -> Vec<u8> {
+fn there_and_back() -> Program {
     program(&[
         (MVP, 0, 0, 51_200),
         (WAIT, 1, 0, 0),
@@ -94,21 +90,15 @@ fn planned_inputs_count_from_the_start() {
 
 #[test]
 fn programs_that_cannot_be_loaded() {
-    let check = |program: &[u8], expected| {
-        assert_eq!(run(&mut device(), program, &RunOptions::default(), |_| ()), Err(expected));
-    };
-    check(&[0; 9], ImageError::Length(9).into());
-    let mut wrong = there_and_back();
-    wrong[15] ^= 1;
-    let (expected, received) = (wrong[15] ^ 1, wrong[15]);
-    check(&wrong, ImageError::Checksum { record: 1, received, expected }.into());
-    check(&program(&vec![(SAP, 4, 0, 100); 2049]), ImageError::TooLong(2049).into());
     // The module protects its memory when global parameter 81 is 2.
     let mut module = device();
     let protect = Command { opcode: 9, kind: 81, motor: 0, value: 2 };
-    command(&mut module, 0, protect, Status::OK).unwrap();
+    tmcl::send(&mut module, "the lock", protect, Status::OK).unwrap();
     let refused = run(&mut module, &there_and_back(), &RunOptions::default(), |_| ());
-    assert_eq!(refused, Err(RunError::Refused { command: 0, status: 5 }));
+    let expected = "the device answers status 5 to the begin of the download";
+    assert_eq!(refused.unwrap_err().to_string(), expected);
+    let foreign = run(&mut device(), &Program::Ascript(Vec::new()), &RunOptions::default(), |_| ());
+    assert_eq!(foreign.unwrap_err().to_string(), "a pd42-1140 has programs of another language");
 }
 
 /// What a plot says of a run; the picture itself is for people.
