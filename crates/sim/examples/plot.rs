@@ -1,7 +1,7 @@
 //! Runs a compiled TMCL program on a PD42-1140 and draws what happens:
 //! `cargo run -p sim --example plot -- PROGRAM.bin PLOT.svg [SECONDS]`.
 
-use sim::{DeviceConfig, RunOptions, VirtualDevice, record, run};
+use sim::{DeviceConfig, Program, RunOptions, VirtualDevice, record, run};
 use std::{error::Error, fs, path::Path};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -15,7 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let recorder = record::create(Path::new(plot), &device.record_info())?;
     device.add_recorder(recorder);
     let options = RunOptions { for_seconds, ..RunOptions::default() };
-    let result = run(&mut device, &fs::read(program)?, &options, |_| ())?;
+    let program = Program::Tmcl(tmcl::image::from_bytes(&fs::read(program)?)?);
+    let result = run(&mut device, &program, &options, |_| ())?;
     device.finish_recordings()?;
     println!(
         "{} after {} s, {} instructions",
