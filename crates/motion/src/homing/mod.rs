@@ -14,6 +14,8 @@ pub mod performax;
 pub mod reference;
 pub mod routine;
 pub mod search;
+#[cfg(test)]
+mod testing;
 
 pub use routine::Homing;
 pub use search::{Found, Search, Switches};

@@ -84,8 +84,8 @@ pub struct Inputs {
     pub home: bool,
     /// The limits at the negative and the positive end, by [`Direction`].
     pub limits: [bool; 2],
-    /// The encoder's index channel. Only looked at, with every edge told, while
-    /// [`Homing::watches_index`]; but its level counts in every call.
+    /// The encoder's index channel. Its level counts in every call; its edges need be told only while
+    /// [`Homing::watches_index`].
     pub index: bool,
 }
 
@@ -106,8 +106,6 @@ pub struct Homing {
     settings: Settings,
     at: usize,
     phase: char,
-    /// The way of the motion that is wanted.
-    heading: Direction,
     /// The speed that is wanted.
     speed: Speed,
     /// Where the present correction leads to.
@@ -128,7 +126,6 @@ impl Homing {
             settings,
             at: 0,
             phase: 'A',
-            heading: way,
             speed: 0,
             target: None,
             marks: 0,
@@ -148,19 +145,14 @@ impl Homing {
         self.steps.get(self.at) == Some(&Step::Until(Event::Index))
     }
 
-    /// Whether this limit is one that the routine seeks, so that it is no error.
-    pub fn seeks_limit(&self, limit: Direction) -> bool {
-        limit == self.way && self.steps.contains(&Step::Until(Event::Limit(true)))
-    }
-
     /// Whether the counter was set to 0 since this was last asked: other counters may have to follow.
     pub fn take_zeroed(&mut self) -> bool {
         core::mem::take(&mut self.zeroed)
     }
 
     /// Takes notice of the inputs and of the axis; call it at the start, after every change of an input,
-    /// when the axis stands at that pulse, and when the axis has come to rest. Limits may block their
-    /// directions of the axis as ever.
+    /// when the axis stands at that pulse, and when the axis has come to rest. No direction of the axis is
+    /// blocked meanwhile: the routine stops at limits itself.
     pub fn poll(&mut self, axis: &mut Axis, inputs: Inputs) -> Option<Outcome> {
         let outcome = self.walk(axis, inputs);
         if matches!(outcome, Some(Outcome::Limit(_))) {
@@ -185,10 +177,9 @@ impl Homing {
                 }
                 Step::Run(way, pace) => {
                     let Settings { limits, slow, .. } = self.settings;
-                    self.heading = self.direction(way);
                     self.speed = if pace == Pace::Fast { limits.top } else { slow };
                     axis.set_limits(limits);
-                    axis.set_goal(Goal::Speed(self.heading, self.speed));
+                    axis.set_goal(Goal::Speed(self.direction(way), self.speed));
                     true
                 }
                 Step::Until(event) => {
@@ -205,8 +196,7 @@ impl Homing {
                     true
                 }
                 Step::Brake => {
-                    self.heading = axis.direction();
-                    axis.set_goal(Goal::Speed(self.heading, 0));
+                    axis.set_goal(Goal::Speed(axis.direction(), 0));
                     !axis.is_moving() && self.obstacle(axis, inputs).is_none()
                 }
                 Step::Correct(way) => {
@@ -251,8 +241,7 @@ impl Homing {
     }
 
     /// Sends the axis to a position and says whether it stands there.
-    fn has_arrived(&mut self, axis: &mut Axis, target: i32) -> bool {
-        self.heading = Direction::of(target.wrapping_sub(axis.position()).into());
+    fn has_arrived(&self, axis: &mut Axis, target: i32) -> bool {
         axis.set_goal(Goal::Position(target));
         let arrived = !axis.is_moving() && axis.position() == target;
         if arrived {
@@ -262,9 +251,9 @@ impl Homing {
         arrived
     }
 
-    /// The limit that the motion has run into, or is about to.
+    /// The limit that the motion has run into.
     fn obstacle(&self, axis: &Axis, inputs: Inputs) -> Option<Outcome> {
-        let way = if axis.is_moving() { axis.direction() } else { self.heading };
+        let way = axis.direction();
         inputs.limits[way as usize].then_some(Outcome::Limit(way))
     }
 
@@ -273,5 +262,106 @@ impl Homing {
             Way::Onward => self.way,
             Way::Back => self.way.reversed(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Event::{Home, HomeEdge, Index, Limit};
+    use super::Pace::{Fast, Slow};
+    use super::Step::{Brake, Correct, Halt, Return, Run, Until, Zero};
+    use super::Way::{Back, Onward};
+    use super::*;
+    use crate::homing::testing::{STAGE, START, Stage, home, settings};
+
+    #[track_caller]
+    fn check(steps: &'static [Step], index_marks: u8, at: i64, position: i64) {
+        let record = home(&STAGE, steps, 0, Settings { index_marks, ..settings() });
+        assert_eq!((record.outcome, record.at, record.position), (Outcome::Found, at, position));
+    }
+
+    // Modes of the CMD-4CR (its manual, appendix A), which the steps have to be enough for.
+
+    #[test]
+    fn back_off_the_home_switch_and_on_again() {
+        const MODE_1: &[Step] = &[
+            Run(Onward, Fast),
+            Until(HomeEdge),
+            Brake,
+            Run(Back, Slow),
+            Until(Home(true)),
+            Until(Home(false)),
+            Halt,
+            Run(Onward, Slow),
+            Until(HomeEdge),
+            Halt,
+            Zero,
+        ];
+        check(MODE_1, 1, 500, 0);
+    }
+
+    #[test]
+    fn index_marks_at_full_speed() {
+        const MODE_3: &[Step] = &[Run(Onward, Fast), Until(HomeEdge), Until(Index), Zero, Brake];
+        check(MODE_3, 1, 800, 100);
+        const MODE_5: &[Step] =
+            &[Run(Onward, Fast), Until(HomeEdge), Brake, Run(Back, Fast), Until(Index), Zero, Brake];
+        check(MODE_5, 1, 250, -100);
+        check(MODE_5, 2, -100, -100);
+        const MODE_11: &[Step] =
+            &[Run(Onward, Fast), Until(HomeEdge), Brake, Run(Back, Fast), Until(Index), Zero, Brake, Return];
+        check(MODE_11, 2, 0, 0);
+    }
+
+    #[test]
+    fn back_off_the_limit() {
+        const MODE_6: &[Step] =
+            &[Run(Onward, Fast), Until(Limit(true)), Halt, Run(Back, Slow), Until(Limit(false)), Halt, Zero];
+        check(MODE_6, 1, 999, 0);
+    }
+
+    #[test]
+    fn back_to_the_trigger() {
+        const MODE_9: &[Step] = &[Run(Onward, Fast), Until(HomeEdge), Zero, Brake, Return];
+        check(MODE_9, 1, 500, 0);
+    }
+
+    #[test]
+    fn every_step_counts_for_itself() {
+        const MARKS: &[Step] = &[Run(Onward, Slow), Until(Index), Zero, Until(Index), Halt];
+        let record =
+            home(&Stage { index: 100, ..STAGE }, MARKS, 0, Settings { index_marks: 2, ..settings() });
+        assert_eq!((record.at, record.position), (400, 200));
+        const AMOUNTS: &[Step] = &[Correct(Onward), Correct(Onward), Correct(Back), Zero];
+        check(AMOUNTS, 1, 150, 0);
+    }
+
+    #[test]
+    fn overshooting_into_a_limit() {
+        const STEPS: &[Step] = &[Run(Back, Fast), Until(Index), Correct(Onward)];
+        let record = home(&STAGE, STEPS, 0, settings());
+        assert_eq!((record.outcome, record.at), (Outcome::Limit(Direction::Negative), -400));
+    }
+
+    #[test]
+    fn an_empty_list_is_over_where_it_begins() {
+        check(&[], 1, 0, START.into());
+    }
+
+    #[test]
+    fn what_the_caller_has_to_know() {
+        const STEPS: &[Step] =
+            &[Run(Onward, Slow), Until(Index), Zero, Run(Onward, Fast), Until(Limit(true))];
+        let mut axis = Axis::new(settings().limits);
+        let mut homing = Homing::new(STEPS, Direction::Negative, settings());
+        assert!(!homing.watches_index());
+        let mut poll = |index| {
+            let outcome = homing.poll(&mut axis, Inputs { index, ..Inputs::default() });
+            (outcome, homing.watches_index(), homing.take_zeroed())
+        };
+        assert_eq!(poll(true), (None, true, false));
+        assert_eq!(poll(false), (None, true, false));
+        assert_eq!(poll(true), (None, false, true));
+        assert_eq!(poll(true), (None, false, false));
     }
 }
