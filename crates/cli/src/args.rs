@@ -25,6 +25,10 @@ pub enum Command {
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
     Disasm(DisasmArgs),
+    /// Compile an A-SCRIPT program
+    Compile(CompileArgs),
+    /// Print a compiled A-SCRIPT program as source
+    Decompile(DecompileArgs),
     /// Look for mistakes in a program
     Check(CheckArgs),
     /// Lay out the sources of programs
@@ -67,7 +71,7 @@ pub struct ServeArgs {
 /// Arguments of `run`.
 #[derive(Group)]
 pub struct RunArgs {
-    /// The program: source (.tmc) or machine code (.bin)
+    /// The program: source of TMCL (.tmc) or A-SCRIPT (.prg, .txt), or machine code (.bin)
     pub program: PathBuf,
     /// The controller that runs it
     #[arg(long, value_name = "MODEL", value_parser = model)]
@@ -117,10 +121,38 @@ pub struct DisasmArgs {
     pub input: PathBuf,
 }
 
+/// Arguments of `compile`.
+#[derive(Group)]
+pub struct CompileArgs {
+    /// The source
+    #[arg(value_name = "IN.prg")]
+    pub input: PathBuf,
+    /// The controller that is to run it
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: &'static Model,
+    /// The compiled lines
+    #[arg(short, long, value_name = "OUT", required_unless_present = "list")]
+    pub output: Option<PathBuf>,
+    /// Print every compiled line with its number
+    #[arg(long)]
+    pub list: bool,
+}
+
+/// Arguments of `decompile`.
+#[derive(Group)]
+pub struct DecompileArgs {
+    /// The compiled lines
+    #[arg(value_name = "OUT")]
+    pub input: PathBuf,
+    /// The controller that they are for
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: &'static Model,
+}
+
 /// Arguments of `check`.
 #[derive(Group)]
 pub struct CheckArgs {
-    /// The program: source (.tmc) or machine code (.bin)
+    /// The program: source of TMCL (.tmc) or A-SCRIPT (.prg, .txt), or machine code (.bin)
     pub file: PathBuf,
     /// The controller that is to run it
     #[arg(long, value_name = "MODEL", value_parser = model)]

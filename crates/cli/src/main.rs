@@ -53,6 +53,8 @@ fn execute(command: Command) -> Outcome {
         Command::Run(args) => run::run(args),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
+        Command::Compile(args) => programs::compile_file(&args),
+        Command::Decompile(args) => programs::decompile_file(&args),
         Command::Check(args) => programs::check(&args),
         Command::Fmt(args) => programs::fmt(&args),
         Command::Completions { shell } => {

@@ -1,10 +1,11 @@
 //! `pulsetrain run`
 
 use crate::{Failure, Outcome, args::RunArgs, programs};
+use devices::ProgramRun;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use protocol::tmcl::Status;
 use sim::{
-    Bench, DeviceConfig, RunOptions, RunResult, StopReason, VirtualDevice,
+    Bench, DeviceConfig, RunOptions, RunResult, VirtualDevice,
     record::{self, RecordError},
     run::Progress,
 };
@@ -28,7 +29,7 @@ const SEED: u64 = 0;
 
 /// Runs a program and shows what came of it.
 pub fn run(args: RunArgs) -> Outcome {
-    let program = programs::load(&args.program, args.device)?;
+    let loaded = programs::load(&args.program, args.device)?;
     let mut device = VirtualDevice::new(&config(&args)?, SEED);
     let info = device.record_info();
     if let Some(plot) = &args.plot
@@ -46,7 +47,7 @@ pub fn run(args: RunArgs) -> Outcome {
 
     let options = RunOptions { for_seconds: Some(args.limit_s), inputs: args.at };
     let mut bar = Bar::new();
-    let result = sim::run(&mut device, &program, &options, |progress| bar.show(progress));
+    let result = sim::run(&mut device, &loaded.program, &options, |progress| bar.show(progress));
     drop(bar);
     let result = result.map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
     device.finish_recordings()?;
@@ -61,9 +62,12 @@ pub fn run(args: RunArgs) -> Outcome {
         );
     }
     programs::show(&if args.json { serde_json::to_string(&result)? + "\n" } else { report(&result) })?;
-    if result.stop_reason == StopReason::Error {
-        let counter = device.program(0).map_or(0, |program| program.counter);
-        eprintln!("error: {}: the program went into its error state at {counter}", args.program.display());
+    let error = device.programs().enumerate().find(|(_, program)| program.run == ProgramRun::Error);
+    if let Some((number, program)) = error {
+        let counter = program.counter;
+        let place = loaded.places.get(counter as usize).cloned();
+        let place = place.unwrap_or_else(|| format!("{}: line {counter}", args.program.display()));
+        eprintln!("error: {place}: program {number} went into its error state");
         return Err(Failure::Told(PROGRAM_ERROR));
     }
     Ok(())

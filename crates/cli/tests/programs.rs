@@ -205,7 +205,10 @@ fn wrong_files_are_refused_in_one_line() {
     check(&["disasm", "short.bin"], "short.bin: a program file has 8 bytes a command, this one has 7 bytes");
     check(&["disasm", "sum.bin"], "sum.bin: record 0 has checksum 38h");
     check(&["check", "a.tmc"], "--device <MODEL>");
-    check(&["check", "a.toml", "--device", "pd42-1140"], "a.toml: a program of a pd42-1140 is a .tmc or .bin file");
+    check(
+        &["check", "a.toml", "--device", "pd42-1140"],
+        "a.toml: a program of a pd42-1140 is a .tmc or .bin file",
+    );
     check(&["explode"], "unrecognized subcommand 'explode'");
     check(&["completions", "tcsh"], "invalid value 'tcsh'");
 }
@@ -257,7 +260,7 @@ fn sources_are_laid_out() {
     check(&["a.tmc", "b.tmc", "--device", "pd42-1140"], 0, "");
     assert_eq!(fs::read_to_string(directory.join("a.tmc")).unwrap(), tidy);
     check(&["--check", "a.tmc", "b.tmc"], 0, "");
-    check(&["c.md"], 1, "error: c.md: a program is a .tmc or .bin file\n");
+    check(&["c.md"], 1, "error: c.md: a program is a .tmc, .bin, .prg or .txt file\n");
     check(&["a.bin"], 1, "error: a.bin: machine code has no layout\n");
     check(&["-"], 1, "error: -: say whose program it is, with --device\n");
     // One that fails does not keep the others from being laid out.

@@ -1,8 +1,10 @@
 //! Program files of all languages: `pulsetrain check` and `fmt`, and what `run` loads.
 
+mod ascript;
 mod module;
 mod tmcl;
 
+pub use ascript::{compile_file, decompile_file};
 pub use tmcl::{asm, disasm};
 
 use crate::{
@@ -28,61 +30,88 @@ const STANDARD: &str = "-";
 enum Kind {
     TmclSource,
     TmclCode,
+    AscriptSource,
+    AscriptCode,
 }
 
 /// The extensions of program files.
-const EXTENSIONS: [(&str, Kind); 2] = [("tmc", Kind::TmclSource), ("bin", Kind::TmclCode)];
+const EXTENSIONS: [(&str, Kind); 5] = [
+    ("tmc", Kind::TmclSource),
+    ("bin", Kind::TmclCode),
+    ("prg", Kind::AscriptSource),
+    ("txt", Kind::AscriptSource),
+    ("bin", Kind::AscriptCode),
+];
 
 impl Kind {
     /// What the extension of a file says; a model has programs of its own language only.
     fn of(path: &Path, model: Option<&Model>) -> Result<Self, Failure> {
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        let found = EXTENSIONS.iter().find(|(known, _)| extension.eq_ignore_ascii_case(known));
         let fits = |kind: Self| model.is_none_or(|model| kind.is_for(model));
-        found.map(|(_, kind)| *kind).filter(|kind| fits(*kind)).ok_or_else(|| {
+        let mut known = EXTENSIONS.iter().filter(|(known, _)| extension.eq_ignore_ascii_case(known));
+        known.find(|(_, kind)| fits(*kind)).map(|(_, kind)| *kind).ok_or_else(|| {
             let programs = model.map_or("a program".into(), |model| format!("a program of a {}", model.name));
             Failure::Line(format!("{}: {programs} is a {} file", path.display(), names(fits)))
         })
     }
 
     /// The sources of a model.
-    fn source_of(model: &Model) -> Result<Self, Failure> {
+    const fn source_of(model: &Model) -> Self {
         match model.language {
-            Language::Tmcl => Ok(Self::TmclSource),
-            Language::Ascript(_) => {
-                Err(Failure::Line(format!("-: sources of a {} have no layout", model.name)))
-            }
+            Language::Tmcl => Self::TmclSource,
+            Language::Ascript(_) => Self::AscriptSource,
         }
     }
 
-    fn is_for(self, model: &Model) -> bool {
-        matches!((self, model.language), (Self::TmclSource | Self::TmclCode, Language::Tmcl))
+    const fn is_for(self, model: &Model) -> bool {
+        match self {
+            Self::TmclSource | Self::TmclCode => matches!(model.language, Language::Tmcl),
+            Self::AscriptSource | Self::AscriptCode => matches!(model.language, Language::Ascript(_)),
+        }
     }
 }
 
 /// The extensions of some kinds, as `.a, .b or .c`.
 fn names(of: impl Fn(Kind) -> bool) -> String {
-    let names: Vec<_> =
-        EXTENSIONS.iter().filter(|(_, kind)| of(*kind)).map(|(name, _)| format!(".{name}")).collect();
+    let mut names = Vec::new();
+    for (name, _) in EXTENSIONS.iter().filter(|(_, kind)| of(*kind)) {
+        let name = format!(".{name}");
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
     match names.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
         _ => names.concat(),
     }
 }
 
+/// A program as its controller holds it.
+pub struct Loaded {
+    /// The program.
+    pub program: Program,
+    /// Where each of its commands or lines comes from, as `file:line`; nothing is known of machine code.
+    pub places: Vec<String>,
+}
+
 /// Looks for mistakes without writing anything.
 pub fn check(args: &CheckArgs) -> Outcome {
-    match Kind::of(&args.file, Some(args.device))? {
-        Kind::TmclSource => tmcl::check_source(&args.file),
-        Kind::TmclCode => tmcl::check_code(&args.file),
+    let (path, model) = (&args.file, args.device);
+    match Kind::of(path, Some(model))? {
+        Kind::TmclSource => tmcl::check_source(path),
+        Kind::TmclCode => tmcl::check_code(path),
+        Kind::AscriptSource => ascript::check_source(path, ascript::dialect(model)?),
+        Kind::AscriptCode => ascript::check_code(path, ascript::dialect(model)?),
     }
 }
 
-/// A program as its controller holds it; a source is translated.
-pub fn load(path: &Path, model: &Model) -> Result<Program, Failure> {
+/// Reads a program; a source is translated.
+pub fn load(path: &Path, model: &Model) -> Result<Loaded, Failure> {
     match Kind::of(path, Some(model))? {
-        Kind::TmclSource => tmcl::load_source(path).map(Program::Tmcl),
-        Kind::TmclCode => tmcl::commands(path).map(Program::Tmcl),
+        Kind::TmclSource => tmcl::load_source(path),
+        Kind::TmclCode => tmcl::load_code(path),
+        Kind::AscriptSource => ascript::load_source(path, ascript::dialect(model)?),
+        Kind::AscriptCode => ascript::load_code(path, ascript::dialect(model)?),
     }
 }
 
@@ -105,13 +134,14 @@ fn lay_out(path: &Path, args: &FmtArgs) -> Outcome {
     let (kind, source) = if is_standard {
         let model =
             args.device.ok_or_else(|| Failure::Line("-: say whose program it is, with --device".into()))?;
-        (Kind::source_of(model)?, read_all(stdin(), path)?)
+        (Kind::source_of(model), read_all(stdin(), path)?)
     } else {
         (Kind::of(path, args.device)?, read(path)?)
     };
     let formatted = match kind {
         Kind::TmclSource => ::tmcl::asm::format(&source),
-        Kind::TmclCode => {
+        Kind::AscriptSource => ascript::format(path, &source, args.device)?,
+        Kind::TmclCode | Kind::AscriptCode => {
             return Err(Failure::Line(format!("{}: machine code has no layout", path.display())));
         }
     };

@@ -1,6 +1,6 @@
 //! TMCL programs: `pulsetrain asm` and `disasm`, and what `check`, `run` and `fmt` do with them.
 
-use super::{about, module::Module, read, say, show, write};
+use super::{Loaded, about, module::Module, read, say, show, write};
 use crate::{
     FAILED, Failure, Outcome,
     args::{AsmArgs, DisasmArgs},
@@ -8,7 +8,7 @@ use crate::{
 use std::{fmt::Write as _, path::Path};
 use tmcl::{
     Command,
-    asm::{Assembly, Environment, Program, assemble},
+    asm::{Assembly, Environment, Place, Program, assemble},
     disasm, image,
 };
 
@@ -48,8 +48,17 @@ pub fn check_code(path: &Path) -> Outcome {
 }
 
 /// What a source assembles to.
-pub fn load_source(path: &Path) -> Result<Vec<Command>, Failure> {
-    Ok(assembled(path)?.program.ok_or(Failure::Told(FAILED))?.commands)
+pub fn load_source(path: &Path) -> Result<Loaded, Failure> {
+    let assembly = assembled(path)?;
+    let program = assembly.program.ok_or(Failure::Told(FAILED))?;
+    let place = |place: &Place| format!("{}:{}", assembly.files[place.file].name, place.line);
+    let places = program.map.iter().map(place).collect();
+    Ok(Loaded { program: sim::Program::Tmcl(program.commands), places })
+}
+
+/// Machine code whose checksums are right.
+pub fn load_code(path: &Path) -> Result<Loaded, Failure> {
+    Ok(Loaded { program: sim::Program::Tmcl(commands(path)?), places: Vec::new() })
 }
 
 /// Assembles a file and shows what there is to say about it.
@@ -59,8 +68,7 @@ fn assembled(path: &Path) -> Result<Assembly, Failure> {
     Ok(assembly)
 }
 
-/// The commands of machine code whose checksums are right.
-pub fn commands(path: &Path) -> Result<Vec<Command>, Failure> {
+fn commands(path: &Path) -> Result<Vec<Command>, Failure> {
     image::from_bytes(&read(path)?).map_err(|error| about(path, &error))
 }
 
