@@ -30,14 +30,13 @@ mod tests;
 use crate::axis::{Axis, Goal};
 pub use ratio::{MAX_THOUSANDTHS, Ratio};
 
-/// How many polls in a row, a millisecond apart, find the axis at rest and out of position before a
-/// correction begins: a motor rings when it stops, and the encoder with it.
+/// How many polls in a row find the axis at rest and out of position before a correction begins: a motor rings when it stops, and the encoder with it.
 pub const SETTLING_POLLS: u8 = 10;
 
 /// The parameters of the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Settings {
-    /// Pulses a count (`SLR`).
+    /// Pulses a count (`SLR`). Stays the same while the loop is on: P is reckoned with it.
     pub ratio: Ratio,
     /// The largest delta that is in position, in counts (`SLT`).
     pub tolerance: u32,
@@ -234,19 +233,22 @@ impl StepNLoop {
         }
     }
 
-    /// Watches; call it every millisecond and when the axis has come to rest, after a homing routine had
-    /// its turn. Stops the axis or sends it on a correction, at the limits in force. The new status, if it
-    /// is another.
+    /// Watches; call it every millisecond. Stops the axis or sends it on a correction, at the limits in
+    /// force. The new status, if it is another.
     pub fn poll(&mut self, axis: &mut Axis, encoder: i32, settings: &Settings) -> Option<Status> {
         let before = self.status;
         match before {
             Status::Off => {}
             status if status.is_error() => {}
             _ if axis.is_moving() => {
+                self.waited = 0;
                 self.watch(axis, encoder, settings);
             }
             Status::Stopping | Status::Aborting | Status::Jogging => self.hold(axis, encoder),
+            // A routine that turns around is at rest for no time, so a single poll says nothing.
+            Status::Homing | Status::IndexHoming | Status::LimitHoming if self.waited == 0 => self.waited = 1,
             Status::Homing | Status::IndexHoming | Status::LimitHoming => {
+                self.waited = 0;
                 self.target = self.reached(axis, settings.ratio);
                 self.status = Status::Idle;
                 self.verify(axis, encoder, settings);
@@ -278,7 +280,8 @@ impl StepNLoop {
         let delta = self.target.wrapping_sub(encoder);
         let pulses = settings.ratio.pulses(delta.into());
         if delta.unsigned_abs() > settings.range {
-            return self.fail(axis, settings.ratio, Status::RangeError);
+            self.status = Status::RangeError;
+            return;
         }
         if delta.unsigned_abs() <= settings.tolerance || pulses == 0 {
             self.status = Status::Idle;
@@ -291,7 +294,8 @@ impl StepNLoop {
             return;
         }
         if self.attempts >= settings.attempts {
-            return self.fail(axis, settings.ratio, Status::AttemptError);
+            self.status = Status::AttemptError;
+            return;
         }
         self.attempts += 1;
         self.waited = 0;

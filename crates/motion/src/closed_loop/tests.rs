@@ -81,9 +81,6 @@ impl Bench {
             let tick = self.now + MILLISECOND;
             while let Some(wake) = self.axis.wake().filter(|&wake| wake < tick) {
                 self.advance(wake);
-                if !self.axis.is_moving() {
-                    self.poll();
-                }
             }
             self.advance(tick);
             self.poll();
@@ -383,6 +380,21 @@ fn homing_keeps_what_the_pulses_say() {
 }
 
 #[test]
+fn homing_goes_on_when_it_turns_around() {
+    let mut bench = Bench::new(SETTINGS);
+    bench.snl.begin(&bench.axis, Motion::Home);
+    for way in [Direction::Negative, Direction::Positive] {
+        bench.poll();
+        bench.axis.set_goal(Goal::Speed(way, pps::speed(TOP_PPS, SCALE, CLOCK_HZ)));
+        bench.run(100);
+        bench.axis.halt();
+        assert_eq!(bench.snl.status(), Status::Homing);
+    }
+    bench.run(2);
+    bench.check(Status::Idle, bench.encoder(), bench.encoder());
+}
+
+#[test]
 fn setting_the_encoder_keeps_delta() {
     let mut bench = Bench::new(SETTINGS);
     bench.go(500);
@@ -436,4 +448,51 @@ fn a_limit_and_switching_off() {
     assert_eq!((bench.snl.status(), bench.delta()), (Status::Jogging, 0));
     bench.run(100);
     assert_eq!((bench.snl.status(), bench.delta()), (Status::Jogging, 0));
+}
+
+/// Moves, stops, pushes and ratios at random: in the end the axis is in position or the loop says why not,
+/// and then it can be cleared.
+#[test]
+fn whatever_happens_it_settles_or_says_so() {
+    let mut seed = 1u64;
+    let mut random = move |below: u64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) % below
+    };
+    let mut seen = [0; 14];
+    for _ in 0..60 {
+        let ratio = Ratio::new([100, 500, 1000, 1700, 9_999][random(5) as usize]).unwrap();
+        let mut bench = Bench::new(Settings { ratio, tolerance: random(4) as u32, ..SETTINGS });
+        for _ in 0..20 {
+            let target = random(2000) as i32 - 1000;
+            match random(8) {
+                0 => bench.blocked = true,
+                1..=2 => bench.shaft += random(200) as i64 - 100,
+                _ if bench.snl.status().is_error() => {}
+                3 => bench.jog(Direction::of(target.into())),
+                4 => bench.stop(),
+                _ => bench.go(target),
+            }
+            bench.run(random(60));
+            bench.blocked = false;
+            seen[bench.snl.status() as usize] += 1;
+        }
+        if bench.snl.status() == Status::Jogging {
+            bench.stop();
+        }
+        bench.run(3000);
+        if bench.snl.status().is_error() {
+            let steps = bench.axis.steps();
+            bench.snl.clear(&bench.axis, bench.encoder());
+            bench.run(10);
+            assert_eq!(bench.axis.steps(), steps);
+        }
+        assert_eq!(bench.snl.status(), Status::Idle);
+        let delta = bench.delta().unsigned_abs();
+        assert!(delta <= bench.settings.tolerance || ratio.pulses(delta.into()) == 0);
+    }
+    for status in [Status::Idle, Status::Moving, Status::Correcting, Status::Stopping, Status::Jogging] {
+        assert_ne!(seen[status as usize], 0, "{status:?}");
+    }
+    assert_ne!(seen[Status::StallError as usize], 0);
 }

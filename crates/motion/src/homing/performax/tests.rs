@@ -115,6 +115,23 @@ fn correction_amounts() {
 }
 
 #[test]
+fn zero_does_not_depend_on_the_way_there() {
+    let mut seed = 1u64;
+    let mut random = move |range: std::ops::Range<i64>| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        range.start + (seed >> 33) as i64 % (range.end - range.start)
+    };
+    for _ in 0..50 {
+        let (zero, width, amount) = (random(300..700), random(1..200), random(0..300));
+        let stage = Stage { home: zero..zero + width, ..STAGE };
+        let settings = Settings { correction: amount as i32, ..settings() };
+        let from = random(-400..zero);
+        check_with(&stage, settings, HomeLow, from, zero, 0);
+        check_with(&stage, settings, Limit, from, 1000 - amount, 0);
+    }
+}
+
+#[test]
 fn marks_count_at_low_speed() {
     // The mark at 550 passes while the motor still brakes, the one at 610 when it is down.
     check_with(&Stage { index: 275, ..STAGE }, settings(), HomeIndex, 0, 825, 0);
