@@ -20,7 +20,8 @@ pub enum Port {
 /// What the driver stage does with the pulses of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Drive {
-    /// How far the magnetic field turns a pulse, in 1/256 of a full step; negative if it is reversed.
+    /// How far the magnetic field turns a pulse, in the finest microsteps that the driver has; negative if
+    /// it is reversed.
     pub step: i16,
     /// Into how many parts the driver divides a pulse; 1 if it does not.
     pub parts: u8,

@@ -128,8 +128,9 @@ pub trait Controller {
     /// and does what was due. Never call it with an earlier time.
     ///
     /// Gives the clock that was reached. It is earlier than `now` when an axis has arrived at the edge of
-    /// its [`window`](Self::set_window): inputs may change there, so the caller looks after them, sets the
-    /// next window and calls again.
+    /// its [`window`](Self::set_window), or when a driver stage or what the controller
+    /// [`watches`](Self::watches) has changed, so that windows are others: the caller looks after the
+    /// inputs, sets the next windows and calls again.
     fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks;
 
     /// The clock at which something will happen by itself, for callers that sleep until then;

@@ -5,6 +5,7 @@
 //! sockets, files, threads, or the machine behind its pins.
 #![cfg_attr(not(test), no_std)]
 
+pub mod ascii;
 pub mod board;
 pub mod controller;
 pub mod flash;
@@ -12,6 +13,7 @@ pub mod flash;
 pub mod models;
 pub mod parameter;
 pub mod pd42;
+pub mod pmx2ed;
 pub mod settings;
 
 pub use board::{Board, Drive, Port};

@@ -2,7 +2,7 @@
 
 extern crate alloc;
 
-use crate::{Controller, flash::Flash, pd42};
+use crate::{Controller, flash::Flash, pd42, pmx2ed};
 use alloc::boxed::Box;
 
 /// The language of a controller's standalone programs.
@@ -30,13 +30,22 @@ pub struct Model {
 }
 
 /// All models.
-pub static MODELS: &[Model] = &[Model {
-    name: "pd42-1140",
-    title: "Trinamic PD42-1140, TMCL firmware V1.47",
-    language: Language::Tmcl,
-    flash_bytes: pd42::FLASH_BYTES,
-    build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
-}];
+pub static MODELS: &[Model] = &[
+    Model {
+        name: "pd42-1140",
+        title: "Trinamic PD42-1140, TMCL firmware V1.47",
+        language: Language::Tmcl,
+        flash_bytes: pd42::FLASH_BYTES,
+        build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
+    },
+    Model {
+        name: "pmx-2ed",
+        title: "Arcus PMX-2ED-SA, firmware V128BL",
+        language: Language::Ascript(&ascript::dialect::PERFORMAX_2),
+        flash_bytes: pmx2ed::FLASH_BYTES,
+        build: |flash, _| Box::new(pmx2ed::Pmx2ed::new(flash)),
+    },
+];
 
 /// The model of this name.
 pub fn model(name: &str) -> Option<&'static Model> {

@@ -39,6 +39,10 @@ pub type Number = u16;
 /// Programs have the upper half of the keys.
 const PROGRAM_KEYS: u16 = 0x8000;
 
+/// Records of a generation that was written as a whole have this bit when the generation is odd: those
+/// of the one before stay readable until the new one holds.
+const ODD: Number = 0x4000;
+
 /// Where the generation of a kind is kept: the last number of its half.
 const GENERATION_KEY: u16 = 0x7FFF;
 
@@ -89,15 +93,20 @@ impl<F: Flash> Settings<F> {
         let config = MapConfig::new(0..flash.capacity());
         let storage = MapStorage::new(Adapter(flash), config, Cache::new_uncached());
         let mut settings = Self { storage, generations: [0; 2] };
-        if settings.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
-            at_once(settings.storage.erase_all()).map_err(store_error)?;
-            settings.generations = [0; 2];
-        }
+        let counts = match settings.find_generations() {
+            Err(error) if error != StoreError::PowerLost => {
+                at_once(settings.storage.erase_all()).map_err(store_error)?;
+                settings.generations = [0; 2];
+                [Number::MAX; 2]
+            }
+            counts => counts?,
+        };
         let generations = settings.generations;
         settings.each(|key, generation, value| {
             let (kind, number) = Kind::of(key);
-            if number != GENERATION_KEY && generation == generations[kind as usize] {
-                record(kind, number, value);
+            let known = generation == generations[kind as usize] && (number & !ODD) < counts[kind as usize];
+            if number != GENERATION_KEY && known {
+                record(kind, number & !ODD, value);
             }
         })?;
         Ok(settings)
@@ -130,23 +139,63 @@ impl<F: Flash> Settings<F> {
     /// # Errors
     /// All of [`StoreError`].
     pub fn forget(&mut self, kind: Kind) -> Result<(), StoreError> {
+        self.begin_generation(kind, &[])
+    }
+
+    /// Replaces all records of a kind by these, numbered from 0. When this returns, the next start finds
+    /// them; if it fails, the next start finds all of them or all that were there before. A kind that is
+    /// stored like this is not stored otherwise.
+    ///
+    /// # Errors
+    /// All of [`StoreError`].
+    ///
+    /// # Panics
+    /// If a value is longer than [`MAX_VALUE_BYTES`] or there are 2¹⁴ of them.
+    pub fn replace<V: AsRef<[u8]>>(
+        &mut self,
+        kind: Kind,
+        values: impl IntoIterator<Item = V>,
+    ) -> Result<(), StoreError> {
+        let before = self.generations[kind as usize];
+        let generation = before.wrapping_add(1);
+        self.generations[kind as usize] = generation;
+        let odd = if generation & 1 == 0 { 0 } else { ODD };
+        let mut count: Number = 0;
+        let stored = values.into_iter().try_for_each(|value| {
+            assert!(count < ODD, "too many records");
+            count += 1;
+            self.store(kind, (count - 1) | odd, value.as_ref())
+        });
+        self.generations[kind as usize] = before;
+        stored?;
+        // A call that failed may have left records with the number of this generation behind its end.
+        self.begin_generation(kind, &count.to_le_bytes())
+    }
+
+    /// The next generation, with how many records it has if it was written as a whole.
+    fn begin_generation(&mut self, kind: Kind, count: &[u8]) -> Result<(), StoreError> {
         let generation = self.generations[kind as usize].wrapping_add(1);
-        self.write(kind.key(GENERATION_KEY), &generation.to_le_bytes())?;
+        let mut record = Vec::<u8, { GENERATION_BYTES + 2 }>::new();
+        let fits = record.extend_from_slice(&generation.to_le_bytes());
+        assert!(fits.and_then(|()| record.extend_from_slice(count)).is_ok(), "room for both");
+        self.write(kind.key(GENERATION_KEY), &record)?;
         self.generations[kind as usize] = generation;
         Ok(())
     }
 
-    fn find_generations(&mut self) -> Result<(), StoreError> {
-        let mut generations = [0; 2];
-        self.each(|key, generation, _| {
+    /// Finds the generations in force; gives how many records each has at the most.
+    fn find_generations(&mut self) -> Result<[Number; 2], StoreError> {
+        let (mut generations, mut counts) = ([0; 2], [Number::MAX; 2]);
+        self.each(|key, generation, count| {
             for kind in Kind::ALL {
                 if key == kind.key(GENERATION_KEY) {
                     generations[kind as usize] = generation;
+                    counts[kind as usize] = count.try_into().map_or(Number::MAX, Number::from_le_bytes);
                 }
             }
         })?;
         self.generations = generations;
-        Ok(())
+        Ok(counts)
     }
 
     /// Every record with its key, generation and value.

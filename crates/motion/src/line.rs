@@ -67,6 +67,18 @@ impl<const N: usize> Line<N> {
         self.path.is_moving()
     }
 
+    /// The limits in force, of the longest axis.
+    pub fn limits(&self) -> Limits {
+        self.path.limits()
+    }
+
+    /// Which way an axis goes; `None` if it takes no part.
+    pub fn direction(&self, axis: usize) -> Option<Direction> {
+        let member = &self.members[axis];
+        let ahead = self.path.direction() == AHEAD;
+        (member.way != 0).then(|| if ahead { member.direction } else { member.direction.reversed() })
+    }
+
     /// Slows down along the line, and stands on a pulse of the longest axis.
     pub fn stop(&mut self) {
         self.path.set_goal(Goal::Speed(AHEAD, 0));

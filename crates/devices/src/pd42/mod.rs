@@ -261,6 +261,8 @@ impl<F: Flash> Controller for Pd42<F> {
             self.now = now;
             return now;
         }
+        let outside = |module: &Self| (module.power.drive, module.encoders.watches_null());
+        let before = outside(self);
         loop {
             let horizon = self.due().min(now);
             let was = self.axis.odometer();
@@ -273,7 +275,7 @@ impl<F: Flash> Controller for Pd42<F> {
             if self.dead {
                 return self.advance(now, board);
             }
-            if self.axis.odometer() != was && self.axis.at_window() {
+            if self.axis.odometer() != was && self.axis.at_window() || outside(self) != before {
                 return self.now;
             }
             if self.now == now && self.program_at().is_none_or(|clock| clock > now) && self.due() > now {

@@ -31,7 +31,7 @@ pub struct Power {
     rest_since: Option<Ticks>,
     /// The next change of current at rest.
     change_at: Option<Ticks>,
-    drive: Option<Drive>,
+    pub drive: Option<Drive>,
 }
 
 impl Power {

@@ -170,3 +170,14 @@ fn a_lost_heartbeat_keeps_programs_from_moving() {
     rig.pass_ms(150);
     assert_ne!(rig.device.axis(0).speed_mpps, 0, "any valid command lets it go on");
 }
+
+/// A motor that a program wakes from freewheeling is stopped by its switch, however far time is let pass in
+/// one go.
+#[test]
+fn a_program_wakes_a_motor_that_runs_into_a_switch() {
+    let mut rig = Rig::with(|axis| axis.positive_limit = 5000);
+    start(&mut rig, "SAP 204, 0, 10\nWAIT TICKS, 0, 100\nMVP ABS, 0, 200000\nWAIT TICKS, 0, 100\nSTOP");
+    rig.pass_ms(20_000);
+    assert_eq!(rig.gap(1), 5000);
+    assert_eq!(rig.shaft(), 5000);
+}

@@ -1,0 +1,152 @@
+//! The numbers that commands remember, one cell each, and how they go to flash.
+
+use super::command::{Command, Form, Value};
+use crate::settings::MAX_VALUE_BYTES;
+use heapless::Vec;
+
+/// The cells of a table; `COUNT` is [`count`] of it.
+#[derive(Clone, Debug)]
+pub struct Cells<I: 'static, const COUNT: usize> {
+    table: &'static [Command<I>],
+    axes: usize,
+    values: [i32; COUNT],
+}
+
+/// Bytes of a cell in flash: the entry's position in the table, the place, the value.
+const CELL_BYTES: usize = 6;
+
+/// The longest record of cells; a byte of a record stays for whoever tells kinds of records apart.
+pub const RECORD_BYTES: usize = (MAX_VALUE_BYTES - 1) / CELL_BYTES * CELL_BYTES;
+
+/// Cells in a record.
+const CELLS_A_RECORD: usize = RECORD_BYTES / CELL_BYTES;
+
+/// How many cells a table has on a device with so many axes.
+pub const fn count<I>(table: &[Command<I>], axes: usize) -> usize {
+    let (mut cells, mut entry) = (0, 0);
+    while entry < table.len() {
+        cells += table[entry].places(axes);
+        entry += 1;
+    }
+    cells
+}
+
+impl<I: Copy + PartialEq, const COUNT: usize> Cells<I, COUNT> {
+    /// All cells with their defaults.
+    ///
+    /// # Panics
+    /// If `COUNT` is not the table's.
+    pub fn new(table: &'static [Command<I>], axes: usize) -> Self {
+        assert_eq!(count(table, axes), COUNT, "a cell for each number");
+        let mut cells = Self { table, axes, values: [0; COUNT] };
+        let mut first = 0;
+        for command in table {
+            let places = command.places(axes);
+            for place in 0..places {
+                cells.values[first + place] = default(command, place);
+            }
+            first += places;
+        }
+        cells
+    }
+
+    /// The value of a command for all axes, or its only one.
+    pub fn get(&self, id: I) -> i32 {
+        self.values[self.find(id, 0)]
+    }
+
+    /// The value of a command at a place: an axis, or what its index is above the least.
+    pub fn at(&self, id: I, place: usize) -> i32 {
+        self.values[self.find(id, self.place(id, place))]
+    }
+
+    /// Sets the value of a command for all axes, or its only one.
+    pub fn set(&mut self, id: I, value: i32) {
+        let cell = self.find(id, 0);
+        self.values[cell] = value;
+    }
+
+    /// Sets the value of a command at a place.
+    pub fn set_at(&mut self, id: I, place: usize, value: i32) {
+        let cell = self.find(id, self.place(id, place));
+        self.values[cell] = value;
+    }
+
+    /// An axis' own value if it has one that is not 0, else that of all axes.
+    pub fn of_axis(&self, id: I, axis: usize) -> i32 {
+        match self.at(id, axis) {
+            0 => self.get(id),
+            own => own,
+        }
+    }
+
+    /// The global value of a command stands before those of its axes.
+    fn place(&self, id: I, place: usize) -> usize {
+        let maybe = self.table.iter().any(|entry| entry.id == id && entry.form == Form::MaybeAxis);
+        place + usize::from(maybe)
+    }
+
+    fn find(&self, id: I, place: usize) -> usize {
+        let mut first = 0;
+        for command in self.table {
+            let places = command.places(self.axes);
+            if command.id == id {
+                assert!(place < places, "a place of the command");
+                return first + place;
+            }
+            first += places;
+        }
+        unreachable!("every command is in its table");
+    }
+
+    /// Records of all stored cells that have not their default.
+    pub fn records(&self) -> impl Iterator<Item = Vec<u8, RECORD_BYTES>> + '_ {
+        let mut cells = self.stored().filter(|&(cell, .., default)| self.values[cell] != default);
+        core::iter::from_fn(move || {
+            let mut record = Vec::new();
+            for (cell, entry, place, _) in cells.by_ref().take(CELLS_A_RECORD) {
+                let [a, b, c, d] = self.values[cell].to_le_bytes();
+                let fits = record.extend_from_slice(&[entry, place, a, b, c, d]);
+                assert!(fits.is_ok(), "room for each cell");
+            }
+            (!record.is_empty()).then_some(record)
+        })
+    }
+
+    /// Takes a record; cells that another firmware may have written are left out.
+    pub fn take(&mut self, record: &[u8]) {
+        for bytes in record.as_chunks::<CELL_BYTES>().0 {
+            let [entry, place, value @ ..] = *bytes;
+            let value = i32::from_le_bytes(value);
+            let known = self.stored().find(|&(_, e, p, _)| (e, p) == (entry, place));
+            let range = self.table.get(usize::from(entry)).and_then(|entry| entry.value.range());
+            if let (Some((cell, ..)), Some((from, to))) = (known, range)
+                && (from..=to).contains(&value)
+            {
+                self.values[cell] = value;
+            }
+        }
+    }
+
+    /// Every stored cell: its number, its entry's position, its place, its default.
+    fn stored(&self) -> impl Iterator<Item = (usize, u8, u8, i32)> + use<I, COUNT> {
+        let (axes, mut first) = (self.axes, 0);
+        (0..).zip(self.table).flat_map(move |(entry, command)| {
+            let places = command.places(axes);
+            let from = first;
+            first += places;
+            let stored = matches!(command.value, Value::Kept { stored: true, .. });
+            (0..if stored { places } else { 0 })
+                .map(move |place| (from + place, entry, place as u8, default(command, place)))
+        })
+    }
+}
+
+/// The value of a cell from the factory. Axes have none of their own where there is a global one.
+const fn default<I>(command: &Command<I>, place: usize) -> i32 {
+    match (command.value, command.form) {
+        (Value::Kept { .. }, Form::MaybeAxis) if place > 0 => 0,
+        (Value::Kept { default, .. }, _) => default,
+        _ => 0,
+    }
+}

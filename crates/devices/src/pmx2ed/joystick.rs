@@ -1,0 +1,102 @@
+//! Joystick control (manual, section 7.15).
+
+use super::motion::Task;
+use super::table::{AXIS_COUNT, Id};
+use super::{Pmx2ed, pins};
+use crate::ascii::Refusal;
+use crate::board::Board;
+use crate::flash::Flash;
+use ::motion::joystick::{Joystick, Settings, SoftLimits};
+use ::motion::speed::{MAX_GROWTH, MAX_SPEED};
+use ::motion::{Direction, Goal, Limits, Shape, pps};
+
+// Places of the two axes' values among JV1 to JV6.
+pub const SPEEDS: usize = 0;
+pub const CHANGES: usize = 2;
+/// The first zero tolerance.
+pub const TOLERANCES: usize = 4;
+
+/// Soft limits of an axis among JL1 to JL8.
+const LIMITS: usize = 4;
+
+impl<F: Flash> Pmx2ed<F> {
+    /// Whether an axis follows its joystick.
+    pub fn joystick_on(&self, axis: usize) -> bool {
+        self.memory.cells.get(Id::JoystickMask) >> axis & 1 != 0
+    }
+
+    /// `JO`, `JF`, `JOYENA`: the axes with a bit follow their joysticks, and StepNLoop is off there.
+    pub fn set_joystick(&mut self, mask: i32) -> Result<(), Refusal> {
+        let before = self.memory.cells.get(Id::JoystickMask);
+        let begins = |axis: usize| (mask & !before) >> axis & 1 != 0;
+        if (0..AXIS_COUNT).any(|axis| begins(axis) && !self.is_done(axis)) {
+            return Err(Refusal::Moving);
+        }
+        self.memory.cells.set(Id::JoystickMask, mask);
+        for axis in 0..AXIS_COUNT {
+            if begins(axis) {
+                self.memory.cells.set_at(Id::Loop, axis, 0);
+                self.stations[axis].closed.disable();
+                self.stations[axis].task = Task::Joystick;
+            } else if before >> axis & 1 != 0 && mask >> axis & 1 == 0 {
+                self.axes[axis].halt();
+                self.stations[axis].joystick = Joystick::new();
+                self.stations[axis].task = Task::Stop;
+            }
+        }
+        Ok(())
+    }
+
+    /// Once a millisecond: the speed that the joystick asks for.
+    pub fn follow_joystick(&mut self, axis: usize, board: &mut dyn Board) {
+        if !self.joystick_on(axis) {
+            return;
+        }
+        let value = |first: usize| self.memory.cells.at(Id::JoystickValues, first + axis);
+        let limit = |side| self.memory.cells.at(Id::JoystickLimits, limit_place(axis, side));
+        let settings = Settings {
+            negative_mv: 0,
+            positive_mv: pins::MAX_MV,
+            tolerance_mv: value(TOLERANCES),
+            speed_pps: value(SPEEDS) as u32,
+            change_pps: value(CHANGES) as u32,
+            limits: SoftLimits {
+                negative_outer: limit(0),
+                negative_inner: limit(1),
+                positive_inner: limit(2),
+                positive_outer: limit(3),
+            },
+        };
+        let (analog, position) = (self.analog(axis, board), self.position(axis));
+        let [plus, minus] = self.limits_on(axis);
+        let barred = self.stations[axis].errors.contains(&true);
+        let mut speed = self.stations[axis].joystick.tick(&settings, analog, position);
+        // A limit that is on, or an error that was not cleared, is stronger.
+        if barred || speed > 0 && plus || speed < 0 && minus {
+            self.stations[axis].joystick = Joystick::new();
+            speed = 0;
+        }
+        let scale = pps::scale(settings.speed_pps.max(1), pps::CLOCK_HZ);
+        let top = pps::speed(speed.unsigned_abs(), scale, pps::CLOCK_HZ);
+        let unit = &mut self.axes[axis];
+        // The joystick's own steps are the ramp: the axis takes each at once.
+        let any = MAX_SPEED;
+        unit.set_limits(Limits {
+            scale,
+            top: any,
+            start: any,
+            stop: any,
+            growth: MAX_GROWTH,
+            fall: MAX_GROWTH,
+            shape: Shape::Trapezoid,
+        });
+        let way = if speed == 0 { unit.direction() } else { Direction::of(speed.into()) };
+        unit.set_goal(Goal::Speed(way, top));
+    }
+}
+
+/// Where a soft limit of an axis stands among JL1 to JL8: negative outer and inner, positive inner and
+/// outer.
+pub const fn limit_place(axis: usize, side: usize) -> usize {
+    axis * LIMITS + side
+}

@@ -1,0 +1,313 @@
+//! Arcus PMX-2ED-SA with firmware V128BL: two axes with built-in drivers, and programs in A-SCRIPT.
+//!
+//! - [`table`]: the commands; `commands`: what each does.
+//! - `memory`: what is remembered, in RAM and flash.
+//! - `motion`: moves, jogs, homing, stops and limits; `feedback`: encoders and StepNLoop; `joystick`.
+//! - `io`, `pins`, [`polarity`]: inputs, outputs, motor power, and the bits that invert them.
+//! - `wire`: bytes in, replies out; `program`: the standalone programs.
+//!
+//! This file is the clock: it takes the controller from one thing that happens to the next.
+
+mod commands;
+mod encoder;
+mod feedback;
+mod io;
+mod joystick;
+mod memory;
+mod motion;
+mod pins;
+pub mod polarity;
+mod program;
+pub mod table;
+mod wire;
+
+use crate::board::{Board, Drive, Port};
+use crate::controller::{AxisState, Controller, Pin, PinKind, ProgramState};
+use crate::flash::Flash;
+use ::motion::line::Line;
+use ::motion::{Axis, Direction, Goal, Ticks, pps};
+use memory::Memory;
+use motion::{Station, Task};
+use pins::number as pin;
+use program::Programs;
+use table::AXIS_COUNT;
+pub use table::MAX_SPEED_PPS;
+use wire::Wire;
+
+/// Clocks of a millisecond.
+const MILLISECOND: Ticks = pps::CLOCK_HZ as Ticks / 1000;
+
+/// How long a compiled line takes, unless set otherwise: 100 µs.
+pub const LINE_CLOCKS: Ticks = MILLISECOND / 10;
+
+/// Bytes of flash that the controller needs: the program of 1,275 lines and all settings, three times.
+pub const FLASH_BYTES: u32 = 48 * crate::flash::PAGE_BYTES;
+
+/// The controller.
+pub struct Pmx2ed<F: Flash> {
+    now: Ticks,
+    line_clocks: Ticks,
+    memory: Memory<F>,
+    axes: [Axis; AXIS_COUNT],
+    stations: [Station; AXIS_COUNT],
+    /// The interpolated move that is on.
+    line: Option<Line<AXIS_COUNT>>,
+    /// Targets count from the position.
+    incremental: bool,
+    io: io::Io,
+    wire: Wire,
+    programs: Programs,
+    /// The next tick of the millisecond clock, while something needs it.
+    tick_at: Option<Ticks>,
+    /// Outputs and programs have been set going.
+    started: bool,
+    /// Flash lost its supply: the controller is off.
+    dead: bool,
+}
+
+impl<F: Flash> Pmx2ed<F> {
+    /// A controller that has just been switched on, at clock 0.
+    pub fn new(flash: F) -> Self {
+        let memory = Memory::open(flash);
+        let stations = core::array::from_fn(|axis| Station::new(memory.cells.at(table::Id::Polarity, axis)));
+        let wire = Wire::new(memory.number);
+        Self {
+            now: 0,
+            line_clocks: LINE_CLOCKS,
+            memory,
+            axes: core::array::from_fn(|_| motion::resting()),
+            stations,
+            line: None,
+            incremental: false,
+            io: io::Io::default(),
+            wire,
+            programs: Programs::new(),
+            tick_at: None,
+            started: false,
+            dead: false,
+        }
+    }
+
+    /// Sets how many clocks a compiled line takes.
+    ///
+    /// # Panics
+    /// If it is 0: a program would never let time pass.
+    pub fn set_line_clocks(&mut self, clocks: Ticks) {
+        assert!(clocks > 0, "a line takes time");
+        self.line_clocks = clocks;
+    }
+
+    /// What power-up does once there is a board.
+    fn start(&mut self, board: &mut dyn Board) {
+        if !core::mem::replace(&mut self.started, true) {
+            self.boot_outputs(board);
+            self.boot_loops(board);
+            self.boot_programs();
+        }
+    }
+
+    /// Lets the axes run to a clock and sees to what has changed there.
+    fn step_to(&mut self, clock: Ticks, board: &mut dyn Board) {
+        board.clock(clock);
+        for (number, axis) in self.axes.iter_mut().enumerate() {
+            axis.advance(clock, |train| board.pulses(number, train));
+        }
+        if let Some(line) = &mut self.line {
+            line.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
+        }
+        self.now = clock;
+        if self.tick_at.is_some_and(|due| due <= clock) {
+            self.tick_at = Some(clock + MILLISECOND);
+            self.tick(board);
+        }
+        self.react(board);
+    }
+
+    /// The millisecond clock, for what is watched and not told.
+    fn tick(&mut self, board: &mut dyn Board) {
+        for axis in 0..AXIS_COUNT {
+            self.poll_loop(axis, board);
+            self.follow_joystick(axis, board);
+        }
+    }
+
+    /// Whatever follows from the present state: called after everything that happens.
+    fn react(&mut self, board: &mut dyn Board) {
+        if self.dead {
+            return;
+        }
+        for axis in 0..AXIS_COUNT {
+            if !self.axes[axis].is_moving() {
+                self.run_homing(axis, board);
+            }
+        }
+        self.settle_line();
+        self.settle();
+        self.watch_limits();
+        self.watch_hosts();
+        self.end_waits();
+        let ticking =
+            (0..AXIS_COUNT).any(|axis| self.stations[axis].closed.is_on() || self.joystick_on(axis));
+        match (ticking, self.tick_at) {
+            (true, None) => self.tick_at = Some(self.now + MILLISECOND),
+            (false, Some(_)) => self.tick_at = None,
+            _ => {}
+        }
+    }
+
+    /// The next clock at which something is due, programs left out.
+    fn due(&self) -> Ticks {
+        let line = self.line.as_ref().and_then(|line| line.wake(&self.axes));
+        let deadlines = [line, self.tick_at, self.time_out_due(), self.delay_due()];
+        let axes = self.axes.iter().map(Axis::wake);
+        deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
+    }
+
+    /// A store failed because the supply is gone: nothing happens any more.
+    fn die(&mut self) {
+        self.dead = true;
+        self.axes.iter_mut().for_each(Axis::halt);
+        self.line = None;
+        self.tick_at = None;
+    }
+
+    /// What the windows of the axes depend on: driver stages, and the inputs that matter.
+    fn outside(&self) -> ([Option<Drive>; AXIS_COUNT], [bool; 2 * AXIS_COUNT]) {
+        let inputs = core::array::from_fn(|number| {
+            let input = if number % 2 == 0 { pin::HOME } else { pin::INDEX };
+            self.watches_homing(number / 2 * pin::AXIS + input)
+        });
+        (self.io.drives(), inputs)
+    }
+
+    /// Whether an axis has arrived at an edge of its window since its odometer was this.
+    fn at_window(&self, before: [i64; AXIS_COUNT]) -> bool {
+        self.axes.iter().zip(before).any(|(axis, before)| axis.odometer() != before && axis.at_window())
+    }
+}
+
+impl<F: Flash> Controller for Pmx2ed<F> {
+    fn clock_hz(&self) -> u32 {
+        pps::CLOCK_HZ
+    }
+
+    fn axes(&self) -> &'static [&'static str] {
+        &["X", "Y"]
+    }
+
+    fn pins(&self) -> &'static [Pin] {
+        pins::PINS
+    }
+
+    fn watches(&self, number: usize) -> bool {
+        match pins::PINS.get(number).map(|pin| pin.kind) {
+            Some(PinKind::Input) if number < pin::DI1 && number % pin::AXIS == pin::HOME => {
+                self.watches_homing(number)
+            }
+            Some(PinKind::Index(_)) => self.watches_homing(number),
+            Some(PinKind::Input) => true,
+            // Analog inputs are read when they are asked for.
+            Some(PinKind::Analog | PinKind::Output) | None => false,
+        }
+    }
+
+    fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
+        assert!(now >= self.now, "time moves forward");
+        if self.dead {
+            self.now = now;
+            return now;
+        }
+        self.start(board);
+        let outside = self.outside();
+        loop {
+            let horizon = self.due().min(now);
+            let before = self.axes.each_ref().map(Axis::odometer);
+            match self.next_program().filter(|&(clock, _)| clock <= horizon) {
+                Some((clock, thread)) => {
+                    self.step_to(clock, board);
+                    if !self.at_window(before) {
+                        self.run_program(thread, horizon, board);
+                    }
+                }
+                None => self.step_to(horizon, board),
+            }
+            if self.dead {
+                return self.advance(now, board);
+            }
+            if self.at_window(before) || self.outside() != outside {
+                return self.now;
+            }
+            let idle = self.next_program().is_none_or(|(clock, _)| clock > now);
+            if self.now == now && idle && self.due() > now {
+                return now;
+            }
+        }
+    }
+
+    fn wake(&self) -> Ticks {
+        if self.dead {
+            return Ticks::MAX;
+        }
+        if !self.started {
+            return self.now;
+        }
+        // A program has something to do all the time: once a millisecond is often enough to look.
+        let program = self.next_program().map_or(Ticks::MAX, |(at, _)| at.max(self.now + MILLISECOND));
+        self.due().min(program)
+    }
+
+    fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
+        self.start(board);
+        for &byte in if port == Port::Can { &[] } else { bytes } {
+            self.take_byte(port, byte, board);
+        }
+        self.react(board);
+    }
+
+    fn input(&mut self, number: usize, on: bool, board: &mut dyn Board) {
+        if self.dead {
+            return;
+        }
+        self.start(board);
+        self.take_level(number, on);
+        if number < pin::DI1 {
+            self.run_homing(number / pin::AXIS, board);
+        }
+        self.react(board);
+    }
+
+    fn analog_changed(&mut self, _: usize, _: &mut dyn Board) {}
+
+    fn set_window(&mut self, axis: usize, low: i64, high: i64) {
+        self.axes[axis].set_window(low, high);
+    }
+
+    fn odometer(&self, axis: usize) -> i64 {
+        self.axes[axis].odometer()
+    }
+
+    fn axis(&self, axis: usize, board: &mut dyn Board) -> AxisState {
+        let unit = &self.axes[axis];
+        let (speed, limits, direction) = match self.line_of(axis) {
+            Some(line) => (line.speed(axis), line.limits(), line.direction(axis)),
+            None => (unit.speed(), unit.limits(), Some(unit.direction())),
+        };
+        let speed = limits.scale.millipulses_per_second(speed, pps::CLOCK_HZ) as i64;
+        let target = match (&self.stations[axis].task, unit.goal()) {
+            (&Task::Line { target }, _) | (_, Goal::Position(target)) => target,
+            _ => unit.position(),
+        };
+        AxisState {
+            position: self.position(axis),
+            encoder: self.encoder(axis, board),
+            speed_mpps: speed * direction.map_or(0, Direction::sign),
+            target,
+            status: self.status(axis, board) as u32,
+            steps: unit.steps(),
+        }
+    }
+
+    fn program(&self, index: usize) -> Option<ProgramState> {
+        self.program_state(index)
+    }
+}
