@@ -22,6 +22,8 @@ pub mod isa;
 #[cfg(feature = "std")]
 mod layout;
 pub mod line;
+#[cfg(feature = "std")]
+pub mod reference;
 pub mod vm;
 
 #[cfg(feature = "std")]

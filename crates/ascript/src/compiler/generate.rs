@@ -16,6 +16,7 @@ pub(super) fn generate(lines: &[SourceLine], dialect: &Dialect) -> (Code, Vec<Fi
         code: Code::default(),
         findings: Vec::new(),
         source_line: 0,
+        wrong: false,
         frame: None,
         blocks: Vec::new(),
         programs: [const { None }; PROGRAMS as usize],
@@ -26,6 +27,7 @@ pub(super) fn generate(lines: &[SourceLine], dialect: &Dialect) -> (Code, Vec<Fi
     for (index, line) in lines.iter().enumerate() {
         if let Some(statement) = line.statement {
             generator.source_line = index + 1;
+            generator.wrong = line.wrong;
             generator.statement(statement, &line.span);
         }
     }
@@ -40,6 +42,8 @@ struct Generator<'a> {
     findings: Vec<Finding>,
     /// The line that is being compiled, from 1.
     source_line: usize,
+    /// Whether it has an error already, and only stands for the block that it begins.
+    wrong: bool,
     frame: Option<Frame>,
     blocks: Vec<Block>,
     /// Where each program and subroutine begins.
@@ -103,7 +107,7 @@ impl Generator<'_> {
             Statement::Program(number) => {
                 self.close_frame();
                 self.frame = Some(Frame { missing: ErrorKind::MissingEnd, begin: span.clone() });
-                if self.programs[usize::from(number)].replace(span.clone()).is_some() {
+                if !self.wrong && self.programs[usize::from(number)].replace(span.clone()).is_some() {
                     self.error(ErrorKind::Prg, span, &format!("there is a program {number} already"));
                 }
                 return self.emit(Line::Program(number), span);
@@ -111,7 +115,7 @@ impl Generator<'_> {
             Statement::Subroutine(number) => {
                 self.close_frame();
                 self.frame = Some(Frame { missing: ErrorKind::EndSub, begin: span.clone() });
-                if self.subroutines[usize::from(number)].replace(span.clone()).is_some() {
+                if !self.wrong && self.subroutines[usize::from(number)].replace(span.clone()).is_some() {
                     self.error(ErrorKind::Sub, span, &format!("there is a subroutine {number} already"));
                 }
                 return self.emit(Line::Subroutine(number), span);
@@ -240,8 +244,9 @@ impl Generator<'_> {
         let exit = self.here();
         let (failed, is_if) = match self.blocks.last_mut() {
             Some(Block { kind: BlockKind::If { test, exits }, .. }) => {
-                exits.push(exit);
-                (test.take(), true)
+                let failed = test.take();
+                exits.extend(failed.map(|_| exit));
+                (failed, true)
             }
             _ => (None, false),
         };

@@ -61,11 +61,28 @@ pub(super) fn lines(source: &Source) -> Vec<Tokens> {
         match token.unwrap_or(Token::Unknown) {
             Token::LineEnd => lines.push(std::mem::take(&mut line)),
             Token::Comment => line.comment = Some(span),
-            token => line.tokens.push((token, span)),
+            token => {
+                if token == Token::Number {
+                    split_variable(source, &mut line.tokens);
+                }
+                line.tokens.push((token, span));
+            }
         }
     }
     lines.push(line);
     lines
+}
+
+/// Takes the `V` of a variable, whose number follows, from the word that it is written together with: `XV1`,
+/// `CIRXYPV1:V2`.
+fn split_variable(source: &Source, tokens: &mut Vec<(Token, Span)>) {
+    let Some((Token::Word, word)) = tokens.last_mut() else { return };
+    let text = source.slice(word);
+    if text.len() > 1 && text.ends_with('V') {
+        word.end -= 1;
+        let variable = word.end..word.end + 1;
+        tokens.push((Token::Word, variable));
+    }
 }
 
 #[cfg(test)]
@@ -81,7 +98,7 @@ mod tests {
             let found: Vec<_> = tokens.iter().map(|(token, span)| (*token, source.slice(span))).collect();
             assert_eq!(found, expected);
         };
-        check("X1000YV2 ; x", &[(Word, "X"), (Number, "1000"), (Word, "YV"), (Number, "2")]);
+        check("X1000YV2 ; x", &[(Word, "X"), (Number, "1000"), (Word, "Y"), (Word, "V"), (Number, "2")]);
         check(
             "V1=~V2",
             &[(Word, "V"), (Number, "1"), (Equals, "="), (Tilde, "~"), (Word, "V"), (Number, "2")],

@@ -14,6 +14,9 @@ use crate::line::OPERANDS;
 pub(crate) struct SourceLine {
     /// What it says; `None` if that is nothing, or wrong.
     pub(crate) statement: Option<Statement>,
+    /// Whether it is wrong. A wrong line that begins a block has a statement that begins such a block, so
+    /// that its end is not wrong too.
+    pub(crate) wrong: bool,
     /// Where the statement stands.
     pub(crate) span: Span,
     /// The comment behind it, with its `;`.
@@ -31,11 +34,17 @@ pub(crate) fn parse(source: &Source, dialect: &Dialect) -> (Vec<SourceLine>, Vec
             (Some((_, first)), Some((_, last))) => first.start..last.end,
             _ => 0..0,
         };
+        if tokens.is_empty() {
+            return SourceLine { statement: None, wrong: false, span, comment };
+        }
         let mut parser = Parser { source, dialect, tokens: &tokens, position: 0 };
-        let statement = (!tokens.is_empty())
-            .then(|| parser.line())
-            .and_then(|statement| statement.map_err(|finding| findings.push(finding)).ok());
-        SourceLine { statement, span, comment }
+        match parser.line() {
+            Ok(statement) => SourceLine { statement: Some(statement), wrong: false, span, comment },
+            Err(finding) => {
+                findings.push(finding);
+                SourceLine { statement: parser.stand_in(), wrong: true, span, comment }
+            }
+        }
     });
     (lines.collect(), findings)
 }
@@ -112,6 +121,20 @@ impl<'a> Parser<'a> {
                     _ => finding,
                 })
             }
+        }
+    }
+
+    /// A statement that begins the same block as this line, if it begins one.
+    fn stand_in(&self) -> Option<Statement> {
+        const ZERO: Expression = Expression::value(Value::Number(0));
+        const CONDITION: Condition = Condition { left: ZERO, comparison: Comparison::Equal, right: ZERO };
+        match self.source.slice(&self.tokens[0].1) {
+            "PRG" => Some(Statement::Program(0)),
+            "SUB" => Some(Statement::Subroutine(0)),
+            "IF" => Some(Statement::If(CONDITION)),
+            "ELSEIF" => Some(Statement::ElseIf(CONDITION)),
+            "WHILE" => Some(Statement::While(CONDITION)),
+            _ => None,
         }
     }
 
@@ -451,21 +474,14 @@ impl<'a> Parser<'a> {
         let mut single = None;
         while self.peek() == Some(Token::Word) {
             let span = self.span();
-            let Some((axis, variable)) = words::target_axis(self.text(), self.dialect) else { break };
+            let Some(axis) = words::target_axis(self.text(), self.dialect) else { break };
             self.position += 1;
-            let value = match (variable, self.peek()) {
-                (true, Some(Token::Number)) => {
-                    Value::Variable(self.index(Index::Variable, ErrorKind::VariableRange)?)
-                }
-                (false, Some(Token::Equals)) => {
-                    let name = self.source.slice(&span);
-                    let finding = self.unexpected(ErrorKind::Token, "a target");
-                    let hint = format!("a move is `{name}1000`; the position is `P{name}=1000`");
-                    return finding.map_err(|finding| finding.hint(hint));
-                }
-                (true, _) => return self.unexpected(ErrorKind::Token, "the number of a variable"),
-                (false, _) => self.simple_value(ErrorKind::NotNumberOrVariable)?,
-            };
+            if self.peek() == Some(Token::Equals) {
+                let name = self.source.slice(&span);
+                let hint = format!("a move is `{name}1000`; the position is `P{name}=1000`");
+                return self.unexpected(ErrorKind::Token, "a target").map_err(|finding| finding.hint(hint));
+            }
+            let value = self.simple_value(ErrorKind::NotNumberOrVariable)?;
             let slot = &mut values[usize::from(axis)];
             if slot.replace(value).is_some() {
                 let message = "an axis has one target only";

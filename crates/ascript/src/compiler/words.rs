@@ -1,4 +1,4 @@
-//! Words as people write them: targets in one word with the axis, and what a wrong word may have meant.
+//! Words as people write them: names of axes as moves, and what a wrong word may have meant.
 
 use super::diagnostic::nearest;
 use crate::dialect::{self, Dialect};
@@ -7,15 +7,10 @@ use crate::isa::{Entry, Index, Kind, Place, Suffix, Word, words};
 /// The move of each axis.
 pub(super) const MOVES: [Word; 4] = [Word::X, Word::Y, Word::Z, Word::U];
 
-/// The axis whose target follows, and whether that is a variable: `X`, `XV`.
-pub(super) fn target_axis(letters: &str, dialect: &Dialect) -> Option<(u8, bool)> {
+/// The axis that a word is the name of.
+pub(super) fn target_axis(letters: &str, dialect: &Dialect) -> Option<u8> {
     let mut characters = letters.chars();
-    let axis = dialect.axis(characters.next()?)?;
-    match characters.as_str() {
-        "" => Some((axis, false)),
-        "V" => Some((axis, true)),
-        _ => None,
-    }
+    characters.next().and_then(|name| dialect.axis(name)).filter(|_| characters.next().is_none())
 }
 
 /// What an index counts.

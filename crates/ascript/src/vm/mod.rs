@@ -118,3 +118,6 @@ impl Action {
         action
     }
 }
+
+#[cfg(test)]
+mod tests;
