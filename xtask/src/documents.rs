@@ -11,21 +11,30 @@ struct Document {
     file: &'static str,
 }
 
-/// The test profile is named so that the tests' build is used again.
-const DOCUMENTS: &[Document] = &[Document {
-    command: &[
-        "run",
-        "--quiet",
-        "--locked",
-        "--profile",
-        "test",
-        "-p",
-        "devices",
-        "--example",
-        "conformance",
-    ],
-    file: "docs/conformance/pd42-1140.md",
-}];
+/// A page of the example that writes conformance pages. The test profile is named so that the tests' build
+/// is used again.
+macro_rules! conformance {
+    ($model:literal) => {
+        Document {
+            command: &[
+                "run",
+                "--quiet",
+                "--locked",
+                "--profile",
+                "test",
+                "-p",
+                "devices",
+                "--example",
+                "conformance",
+                "--",
+                $model,
+            ],
+            file: concat!("docs/conformance/", $model, ".md"),
+        }
+    };
+}
+
+const DOCUMENTS: &[Document] = &[conformance!("pd42-1140"), conformance!("pmx-2ed")];
 
 /// Writes every document.
 pub fn write(workplace: &Workplace) -> Result<()> {

@@ -148,6 +148,8 @@ impl<F: Flash> Pmx2ed<F> {
             Id::SetSpeed => self.change_speed(axis, value)?,
             Id::Loop => self.switch_loop(axis, value != 0, board)?,
             Id::JoystickMask => self.set_joystick(value)?,
+            // The loop has reckoned its origin with it.
+            Id::LoopRatio if self.stations[axis].closed.is_on() => return Err(Refusal::State),
             Id::SpeedMode if self.is_moving(axis) => return Err(Refusal::Moving),
             Id::LowSpeed => {
                 let high = match place {

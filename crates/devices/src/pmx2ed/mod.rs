@@ -116,11 +116,12 @@ impl<F: Flash> Pmx2ed<F> {
             line.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
         }
         self.now = clock;
+        self.react(board);
         if self.tick_at.is_some_and(|due| due <= clock) {
             self.tick_at = Some(clock + MILLISECOND);
             self.tick(board);
+            self.react(board);
         }
-        self.react(board);
     }
 
     /// The millisecond clock, for what is watched and not told.

@@ -205,17 +205,16 @@ impl<F: Flash> Pmx2ed<F> {
     /// Ends the waits that are over.
     pub fn end_waits(&mut self) {
         for number in 0..self.programs.threads.len() {
-            let over = match self.programs.threads[number].hold {
-                None => false,
-                Some(Hold::Axis(axis)) => self.is_done(axis),
-                Some(Hold::Until(clock)) => clock <= self.now,
+            let next_at = match self.programs.threads[number].hold {
+                // Whether an axis stands is looked at line by line.
+                Some(Hold::Axis(axis)) if self.is_done(axis) => self.now + self.line_clocks,
+                Some(Hold::Until(clock)) if clock <= self.now => self.now,
+                _ => continue,
             };
-            if over {
-                let timed = &mut self.programs.threads[number];
-                timed.hold = None;
-                timed.thread.done();
-                timed.next_at = timed.next_at.max(self.now);
-            }
+            let timed = &mut self.programs.threads[number];
+            timed.hold = None;
+            timed.thread.done();
+            timed.next_at = timed.next_at.max(next_at);
         }
     }
 

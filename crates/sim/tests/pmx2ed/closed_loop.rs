@@ -53,6 +53,7 @@ fn closed_loop_moves_in_encoder_counts() {
     rig.check("PX=0", "?State Error");
     rig.ok("EX=0");
     assert_eq!((rig.get("PX"), rig.get("EX"), rig.get("DX")), (0, 0, 0));
+    rig.check("SLRX=1", "?State Error");
     rig.ok("SLX=0");
     rig.check("PX", "5250");
     rig.check("SLSX", "12");

@@ -3,7 +3,7 @@
 
 mod closed_loop;
 mod errors;
-// mod examples;
+mod examples;
 mod homing;
 mod io;
 mod joystick;

@@ -1,12 +1,7 @@
-//! Prints the conformance page of the PD42-1140: every entry of its manual's tables, from our tables, with
-//! the test that holds it. Fails if a test that a page names does not exist.
+//! The page of the PD42-1140.
 
 use devices::pd42::{axis_parameters, global_parameters as gp};
 use devices::{Parameter, parameter::Access};
-use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
-use std::process::ExitCode;
 use tmcl::isa::{INTERRUPTS, Mode, TABLE};
 
 /// The test of each command's behaviour, by opcode. The encoding of each is held by `requests`, and that its
@@ -122,23 +117,8 @@ PD42-1140 TMCL firmware manual, V1.47. What the manual leaves open is settled in
 [decisions](pd42-1140-decisions.md).
 ";
 
-fn main() -> ExitCode {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let tests = tests(&root.join("crates"));
-    let page = page();
-    let decisions =
-        fs::read_to_string(root.join("docs/conformance/pd42-1140-decisions.md")).unwrap_or_default();
-    let missing: Vec<_> =
-        named(&page).chain(named(&decisions)).filter(|name| !tests.contains(*name)).collect();
-    if !missing.is_empty() {
-        eprintln!("error: no such test: {}", missing.join(", "));
-        return ExitCode::FAILURE;
-    }
-    print!("{page}");
-    ExitCode::SUCCESS
-}
-
-fn page() -> String {
+/// Every entry of the tables.
+pub fn page() -> String {
     let mut page = HEAD.to_owned();
     let mut line = |text: String| {
         page.push_str(&text);
@@ -223,36 +203,4 @@ fn parameter(entry: &Parameter) -> String {
 fn test_of(tests: &[(u8, &'static str)], number: u8) -> &'static str {
     let entry = tests.iter().find(|(of, _)| *of == number);
     entry.unwrap_or_else(|| panic!("number {number} has no test")).1
-}
-
-/// The tests that the tables of a page name: what stands between backticks in the last column.
-fn named(page: &str) -> impl Iterator<Item = &str> {
-    let rows = page.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
-    let columns = rows.filter_map(|row| row.rsplit(" | ").next());
-    columns.flat_map(|column| column.split('`').skip(1).step_by(2))
-}
-
-/// The names of all functions in our sources that are tests.
-fn tests(folder: &Path) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
-    let mut folders = vec![folder.to_owned()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).into_iter().flatten().flatten() {
-            let path = entry.path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                let text = fs::read_to_string(&path).unwrap_or_default();
-                let mut lines = text.lines().map(str::trim);
-                while let Some(line) = lines.next() {
-                    if line == "#[test]"
-                        && let Some(name) = lines.find_map(|line| line.strip_prefix("fn "))
-                    {
-                        names.insert(name.split('(').next().unwrap_or_default().to_owned());
-                    }
-                }
-            }
-        }
-    }
-    names
 }

@@ -1,0 +1,306 @@
+//! The page of the PMX-2ED-SA.
+
+use ascript::dialect::PERFORMAX_2;
+use ascript::isa;
+use devices::ascii::{Command, Form, Value};
+use devices::pmx2ed::table::{COMMANDS, Id};
+use motion::pps::PERFORMAX;
+
+const HEAD: &str = "\
+# PMX-2ED-SA: conformance
+
+Made from the controller's tables by `cargo xtask docs`; do not edit. Sections and tables are those of the
+PMX-2ED-SA manual, revision 1.18 (firmware V128BL). What the manual leaves open is settled in
+[decisions](pmx-2ed-decisions.md).
+";
+
+/// The replies of table 9.1 and the one that its section 7.11 needs: when each is sent, and its test.
+const ERRORS: &[(&str, &str, &str)] = &[
+    ("?*command*", "the command is not known", "unknown_commands_are_repeated"),
+    (
+        "?ABS/INC is not in operation",
+        "T without a move to a target",
+        "a_target_is_changed_only_during_a_move",
+    ),
+    ("?Clear SNL Error", "a motion command in a StepNLoop error", "a_loop_in_error_does_not_move"),
+    ("?ICommandOn", "SSPD during an interpolated move", "on_the_fly_speed"),
+    ("?Index out of Range", "the number after the name is out of range", "indices_out_of_range"),
+    ("?Invalid Answer", "the value is out of range", "values_out_of_range"),
+    ("?Low speed out of range", "LSPD above the high speed in force, or 0", "global_and_individual_speeds"),
+    ("?Moving", "a motion or position command while pulses are put out", "moves_are_refused_while_moving"),
+    ("?S-curve on", "SSPD with S-curves", "on_the_fly_speed"),
+    ("?Speed out of range", "SSPD outside the window of SSPDM", "on_the_fly_speed"),
+    ("?SSPD Mode not Initialized", "SSPD without SSPDM", "on_the_fly_speed"),
+    ("?Sub not Initialized", "GS of a subroutine that is not there", "subroutines_that_are_not_there"),
+    (
+        "?State Error",
+        "a limit error, the joystick or a state of a program is in the way",
+        "limits_latch_errors",
+    ),
+];
+
+/// A table of the manual's section 7: its title and its rows, with the test of each.
+type Rows = &'static [(&'static str, &'static str, &'static str)];
+
+const TABLES: &[(&str, Rows)] = &[
+    (
+        "Units of speed (table 7.0)",
+        &[
+            ("StepNLoop off", "pulses a second", "speeds_are_read_while_moving"),
+            ("interpolated moves", "pulses a second", "closed_loop_moves_in_encoder_counts"),
+            ("StepNLoop on", "encoder counts a second", "closed_loop_moves_in_encoder_counts"),
+        ],
+    ),
+    ("Enable outputs (table 7.1)", &[("0", "EO1, X", "motor_power"), ("1", "EO2, Y", "motor_power")]),
+    (
+        "Motor status (table 7.2)",
+        &[
+            ("0", "accelerates", "the_status_word"),
+            ("1", "decelerates", "the_status_word"),
+            ("2", "constant speed", "the_status_word"),
+            ("3", "not used", "the_status_word"),
+            ("4", "plus limit input", "limits_latch_errors"),
+            ("5", "minus limit input", "limits_latch_errors"),
+            ("6", "home input", "the_status_word"),
+            ("7", "plus limit error", "limits_latch_errors"),
+            ("8", "minus limit error", "limits_latch_errors"),
+            ("9", "Z index", "the_status_word"),
+            ("10", "joystick control", "joystick_control"),
+            ("11", "communication time-out", "communication_time_out"),
+        ],
+    ),
+    (
+        "Digital inputs and outputs (tables 7.3 and 7.4)",
+        &[
+            ("0 to 7", "DI1 to DI8", "digital_inputs_and_outputs"),
+            ("0 to 7", "DO1 to DO8", "digital_inputs_and_outputs"),
+        ],
+    ),
+    (
+        "Joystick (tables 7.5 and 7.6)",
+        &[
+            ("AI1, AI2", "X, Y", "joystick_control"),
+            ("JV1, JV2", "highest speed of X, Y", "joystick_control"),
+            ("JV3, JV4", "greatest change of X, Y", "joystick_control"),
+            ("JV5, JV6", "zero tolerance of X, Y", "joystick_control"),
+            ("JL1 to JL4", "soft limits of X", "the_joysticks_soft_limits"),
+            ("JL5 to JL8", "soft limits of Y", "registers"),
+        ],
+    ),
+    (
+        "Polarity (table 7.7)",
+        &[
+            ("0", "pulse: kept, the driver is built in", "polarities"),
+            ("1", "direction", "polarities"),
+            ("2 to 4", "not used", "polarities"),
+            ("5", "home", "polarities"),
+            ("6", "limits", "polarities"),
+            ("7", "Z index", "polarities"),
+            ("8, 9", "encoder decoding 1X, 2X, 4X", "encoder_decoding_and_polarity"),
+            ("10", "digital inputs", "polarities"),
+            ("11", "digital outputs", "polarities"),
+            ("12", "enable output", "polarities"),
+            ("13", "SUB 31 returns to the first line", "polarities"),
+        ],
+    ),
+    (
+        "StepNLoop parameters and behaviour (tables 7.8 and 7.10)",
+        &[
+            ("SLR", "ratio", "closed_loop_moves_in_encoder_counts"),
+            ("SLT", "tolerance: no correction within it", "a_slip_is_corrected"),
+            ("SLE", "range: stall error on the way", "a_stall_is_an_error_until_it_is_cleared"),
+            ("SLE", "range: range error at rest", "the_status_of_the_closed_loop"),
+            ("SLA", "attempts: attempt error beyond them", "corrections_that_do_not_help"),
+        ],
+    ),
+    (
+        "StepNLoop status (table 7.9)",
+        &[
+            ("0", "idle", "the_status_of_the_closed_loop"),
+            ("1", "moving", "the_status_of_the_closed_loop"),
+            ("2", "correcting", "a_slip_is_corrected"),
+            ("3", "stopping", "the_status_of_the_closed_loop"),
+            ("4", "aborting", "the_status_of_the_closed_loop"),
+            ("5", "jogging", "the_status_of_the_closed_loop"),
+            ("6", "homing", "the_status_of_the_closed_loop"),
+            ("7", "Z homing", "the_status_of_the_closed_loop"),
+            ("8", "range error", "the_status_of_the_closed_loop"),
+            ("9", "attempt error", "corrections_that_do_not_help"),
+            ("10", "stall error", "a_stall_is_an_error_until_it_is_cleared"),
+            ("11", "limit error", "the_status_of_the_closed_loop"),
+            ("12", "off", "the_status_of_the_closed_loop"),
+            ("13", "limit homing", "the_status_of_the_closed_loop"),
+        ],
+    ),
+    (
+        "Program control and status (tables 7.11 and 7.12)",
+        &[
+            ("SR 0", "stop", "programs_are_controlled_by_the_host"),
+            ("SR 1", "start", "programs_are_controlled_by_the_host"),
+            ("SR 2", "pause", "programs_are_controlled_by_the_host"),
+            ("SR 3", "continue", "programs_are_controlled_by_the_host"),
+            ("SASTAT 0", "idle", "programs_are_controlled_by_the_host"),
+            ("SASTAT 1", "running", "programs_are_controlled_by_the_host"),
+            ("SASTAT 2", "paused", "programs_are_controlled_by_the_host"),
+            ("SASTAT 4", "error", "errors_run_subroutine_31"),
+        ],
+    ),
+    (
+        "Operators (table 7.13)",
+        &[
+            ("+ - * / %", "arithmetic; division rounds down", "variables"),
+            (">> <<", "shifts", "variables"),
+            ("& \\| ~", "bits", "variables"),
+        ],
+    ),
+    (
+        "Run on boot (table 7.14)",
+        &[("0", "program 0", "programs_run_on_boot"), ("1", "program 1", "programs_run_on_boot")],
+    ),
+    (
+        "Homing (section 7.10)",
+        &[
+            ("7.10.1", "home input, high speed", "homing_at_high_speed"),
+            ("7.10.2", "limit", "homing_by_a_limit"),
+            ("7.10.3", "home input and Z index", "homing_by_home_and_index"),
+            ("7.10.4", "Z index", "homing_by_the_index"),
+            ("7.10.5", "home input, high and low speed", "homing_high_and_low_speed"),
+        ],
+    ),
+    (
+        "Ramps of positional moves (section A.2)",
+        &[
+            ("1, 2", "a ramp longer than half the way", "short_moves_are_symmetric"),
+            ("3", "triangle", "short_moves_are_symmetric"),
+        ],
+    ),
+    (
+        "Example programs (section 10.2)",
+        &[
+            ("1", "there and back", "example_1_there_and_back"),
+            ("2", "back and forth", "example_2_endless_moves"),
+            ("3", "ten times", "example_3_counted_moves"),
+            ("4", "while an input is on", "example_4_moves_on_input"),
+            ("5", "a step at each edge", "example_5_step_on_edge"),
+            ("6", "positions by inputs", "example_6_positions_by_input"),
+            ("7", "a program controls another", "example_7_stop_by_input"),
+            ("8", "time-out watched by a program", "example_8_watchdog"),
+        ],
+    ),
+];
+
+/// Every entry of the tables.
+pub fn page() -> String {
+    let mut page = HEAD.to_owned();
+    let mut line = |text: String| {
+        page.push_str(&text);
+        page.push('\n');
+    };
+    line("\n## Commands (table 9.0)\n".into());
+    line("| command | values | default | unit | stored | section | what it does | example | test |".into());
+    line("|---|---|---|---|---|---|---|---|---|".into());
+    for command in COMMANDS {
+        line(row(command));
+    }
+    line("\n## Errors (table 9.1)\n\n| reply | when | test |\n|---|---|---|".into());
+    for (reply, when, test) in ERRORS {
+        line(format!("| {reply} | {when} | `{test}` |"));
+    }
+    for (title, rows) in TABLES {
+        line(format!("\n## {title}\n\n| entry | meaning | test |\n|---|---|---|"));
+        for (entry, meaning, test) in *rows {
+            line(format!("| {entry} | {meaning} | `{test}` |"));
+        }
+    }
+    line("\n## Stored in flash (table 7.15)\n\n| item | test |\n|---|---|".into());
+    let stored = COMMANDS.iter().filter(|command| matches!(command.value, Value::Kept { stored: true, .. }));
+    for command in stored {
+        let test = if command.id == Id::JoystickMask {
+            "the_joystick_mask_is_stored"
+        } else {
+            "every_item_of_table_7_15_is_stored"
+        };
+        line(format!("| {} | `{test}` |", form(command)));
+    }
+    line("| DN | `every_item_of_table_7_15_is_stored` |".into());
+    line("| V32 to V63 | `variables` |".into());
+    line("| program | `a_download_is_in_flash_at_once` |".into());
+    line("\n## Speed windows (table A.0)\n".into());
+    line("| window | high speed in pps | least low speed | shortest ramp in ms | δ | test |".into());
+    line("|---|---|---|---|---|---|".into());
+    for window in &PERFORMAX {
+        line(format!(
+            "| {} | {} to {} | {} | {} | {} | `ramps_have_the_ranges_of_the_manuals_examples` |",
+            window.number,
+            window.from_pps,
+            window.to_pps,
+            window.least_low_pps,
+            window.least_ms,
+            window.delta
+        ));
+    }
+    line("\n## Program statements (table 10.0)\n".into());
+    line("| statement | section | what it does | example | test |\n|---|---|---|---|---|".into());
+    for entry in isa::TABLE.iter().filter(|entry| entry.access(PERFORMAX_2.family).is_some()) {
+        line(format!(
+            "| {} | {} | {} | `{}` | `{}` |",
+            entry.form(&PERFORMAX_2),
+            entry.section(PERFORMAX_2.family),
+            entry.doc.summary,
+            entry.doc.example,
+            entry.doc.test
+        ));
+    }
+    page
+}
+
+fn row(command: &Command<Id>) -> String {
+    let (values, default, stored) = match command.value {
+        Value::None => (String::new(), String::new(), ""),
+        Value::Kept { decimals, low, high, default, stored } => {
+            (range(low, high, decimals), fixed(default, decimals), if stored { "STORE" } else { "" })
+        }
+        Value::Device { write: Some((low, high)), .. } => (range(low, high, 0), String::new(), ""),
+        Value::Device { write: None, .. } => ("read only".into(), String::new(), ""),
+        Value::Text { write: true, .. } => ("text".into(), String::new(), ""),
+        Value::Text { write: false, .. } => ("text, read only".into(), String::new(), ""),
+    };
+    let about = &command.about;
+    format!(
+        "| {} | {values} | {default} | {} | {stored} | {} | {} | `{}` | `{}` |",
+        form(command),
+        about.unit,
+        about.section,
+        about.text,
+        about.example,
+        about.test
+    )
+}
+
+fn range(low: i32, high: i32, decimals: u8) -> String {
+    match (low, high) {
+        (i32::MIN, i32::MAX) => "32 bits".into(),
+        _ => format!("{} to {}", fixed(low, decimals), fixed(high, decimals)),
+    }
+}
+
+fn fixed(value: i32, decimals: u8) -> String {
+    if decimals == 0 { value.to_string() } else { format!("{:.3}", f64::from(value) / 1000.0) }
+}
+
+/// A command as the manual writes it.
+fn form(command: &Command<Id>) -> String {
+    let name = command.name;
+    match command.form {
+        Form::Bare => name.into(),
+        Form::Axis => format!("{name}[axis]"),
+        Form::MaybeAxis => format!("{name}, {name}[axis]"),
+        Form::Index(low, high) => format!("{name}[{low}-{high}]"),
+        Form::MaybeIndex(low, high) => format!("{name}, {name}[{low}-{high}]"),
+        Form::Way => format!("{name}[axis][+/-]"),
+        Form::MaybeWay => format!("{name}[+/-], {name}[axis][+/-]"),
+        Form::AxisNumber => format!("{name}[axis][value]"),
+        Form::Targets => "X[target], Y[target], X[target]Y[target]".into(),
+        Form::Each => format!("{name}[X target]:[Y target]"),
+    }
+}
