@@ -47,8 +47,6 @@ const ODD: Number = 0x4000;
 const GENERATION_KEY: u16 = 0x7FFF;
 
 impl Kind {
-    const ALL: [Self; 2] = [Self::Setting, Self::Program];
-
     const fn key(self, number: Number) -> u16 {
         match self {
             Self::Setting => number,
@@ -77,7 +75,10 @@ type Storage<F> = MapStorage<u16, Adapter<F>, Cache<Uncached, Uncached, Uncached
 /// The store.
 pub struct Settings<F: Flash> {
     storage: Storage<F>,
+    /// The generation of each kind that counts.
     generations: [u32; 2],
+    /// The newest one that any record has.
+    newest: [u32; 2],
 }
 
 impl<F: Flash> Settings<F> {
@@ -92,20 +93,15 @@ impl<F: Flash> Settings<F> {
     pub fn open(flash: F, mut record: impl FnMut(Kind, Number, &[u8])) -> Result<Self, StoreError> {
         let config = MapConfig::new(0..flash.capacity());
         let storage = MapStorage::new(Adapter(flash), config, Cache::new_uncached());
-        let mut settings = Self { storage, generations: [0; 2] };
-        let counts = match settings.find_generations() {
-            Err(error) if error != StoreError::PowerLost => {
-                at_once(settings.storage.erase_all()).map_err(store_error)?;
-                settings.generations = [0; 2];
-                [Number::MAX; 2]
-            }
-            counts => counts?,
-        };
+        let mut settings = Self { storage, generations: [0; 2], newest: [0; 2] };
+        if settings.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
+            at_once(settings.storage.erase_all()).map_err(store_error)?;
+            (settings.generations, settings.newest) = ([0; 2], [0; 2]);
+        }
         let generations = settings.generations;
         settings.each(|key, generation, value| {
             let (kind, number) = Kind::of(key);
-            let known = generation == generations[kind as usize] && (number & !ODD) < counts[kind as usize];
-            if number != GENERATION_KEY && known {
+            if number != GENERATION_KEY && generation == generations[kind as usize] {
                 record(kind, number & !ODD, value);
             }
         })?;
@@ -139,7 +135,7 @@ impl<F: Flash> Settings<F> {
     /// # Errors
     /// All of [`StoreError`].
     pub fn forget(&mut self, kind: Kind) -> Result<(), StoreError> {
-        self.begin_generation(kind, &[])
+        self.begin(kind, self.newest[kind as usize].wrapping_add(1))
     }
 
     /// Replaces all records of a kind by these, numbered from 0. When this returns, the next start finds
@@ -157,45 +153,42 @@ impl<F: Flash> Settings<F> {
         values: impl IntoIterator<Item = V>,
     ) -> Result<(), StoreError> {
         let before = self.generations[kind as usize];
-        let generation = before.wrapping_add(1);
+        let next = self.newest[kind as usize].wrapping_add(1);
+        // Of the two sets of keys the one that is not in use.
+        let generation = if (next ^ before) & 1 == 0 { next.wrapping_add(1) } else { next };
+        self.newest[kind as usize] = generation;
         self.generations[kind as usize] = generation;
         let odd = if generation & 1 == 0 { 0 } else { ODD };
-        let mut count: Number = 0;
-        let stored = values.into_iter().try_for_each(|value| {
-            assert!(count < ODD, "too many records");
-            count += 1;
-            self.store(kind, (count - 1) | odd, value.as_ref())
+        let stored = (0..).zip(values).try_for_each(|(number, value)| {
+            assert!(number < ODD, "too many records");
+            self.store(kind, number | odd, value.as_ref())
         });
         self.generations[kind as usize] = before;
         stored?;
-        // A call that failed may have left records with the number of this generation behind its end.
-        self.begin_generation(kind, &count.to_le_bytes())
+        self.begin(kind, generation)
     }
 
-    /// The next generation, with how many records it has if it was written as a whole.
-    fn begin_generation(&mut self, kind: Kind, count: &[u8]) -> Result<(), StoreError> {
-        let generation = self.generations[kind as usize].wrapping_add(1);
-        let mut record = Vec::<u8, { GENERATION_BYTES + 2 }>::new();
-        let fits = record.extend_from_slice(&generation.to_le_bytes());
-        assert!(fits.and_then(|()| record.extend_from_slice(count)).is_ok(), "room for both");
-        self.write(kind.key(GENERATION_KEY), &record)?;
+    /// From here on the records of this generation are those that count.
+    fn begin(&mut self, kind: Kind, generation: u32) -> Result<(), StoreError> {
+        self.newest[kind as usize] = generation;
+        self.write(kind.key(GENERATION_KEY), &generation.to_le_bytes())?;
         self.generations[kind as usize] = generation;
         Ok(())
     }
 
-    /// Finds the generations in force; gives how many records each has at the most.
-    fn find_generations(&mut self) -> Result<[Number; 2], StoreError> {
-        let (mut generations, mut counts) = ([0; 2], [Number::MAX; 2]);
-        self.each(|key, generation, count| {
-            for kind in Kind::ALL {
-                if key == kind.key(GENERATION_KEY) {
-                    generations[kind as usize] = generation;
-                    counts[kind as usize] = count.try_into().map_or(Number::MAX, Number::from_le_bytes);
-                }
+    /// Finds the generations in force, and the newest ones of all records: a store that failed has left
+    /// behind records of a generation that was never begun, and never will be.
+    fn find_generations(&mut self) -> Result<(), StoreError> {
+        let (mut generations, mut newest) = ([0; 2], [0; 2]);
+        self.each(|key, generation, _| {
+            let (kind, number) = Kind::of(key);
+            newest[kind as usize] = generation.max(newest[kind as usize]);
+            if number == GENERATION_KEY {
+                generations[kind as usize] = generation;
             }
         })?;
-        self.generations = generations;
-        Ok(counts)
+        (self.generations, self.newest) = (generations, newest);
+        Ok(())
     }
 
     /// Every record with its key, generation and value.

@@ -150,3 +150,67 @@ const fn default<I>(command: &Command<I>, place: usize) -> i32 {
         _ => 0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ascii::command::commands;
+
+    const KEPT: Value = Value::Kept { decimals: 0, low: -9, high: 9, default: 3, stored: true };
+    const LOST: Value = Value::Kept { decimals: 0, low: 0, high: 9, default: 1, stored: false };
+
+    commands! {
+        /// A table.
+        TABLE: Id {
+            Acts "A" Form::Bare, Value::None; "" "" "" "Text." none;
+            Global "G" Form::MaybeAxis, KEPT; "" "" "" "Text." none;
+            Lost "L" Form::Axis, LOST; "" "" "" "Text." none;
+            Several "S" Form::Index(1, 40), KEPT; "" "" "" "Text." none;
+        }
+    }
+
+    type Small = Cells<Id, { count(TABLE, 2) }>;
+
+    #[test]
+    fn axes_take_the_global_value_until_they_have_their_own() {
+        let mut cells = Small::new(TABLE, 2);
+        assert_eq!((cells.get(Id::Global), cells.at(Id::Global, 1), cells.of_axis(Id::Global, 1)), (3, 0, 3));
+        cells.set_at(Id::Global, 1, -4);
+        cells.set(Id::Global, 5);
+        assert_eq!((cells.of_axis(Id::Global, 0), cells.of_axis(Id::Global, 1)), (5, -4));
+        assert_eq!((cells.at(Id::Lost, 0), cells.at(Id::Several, 39)), (1, 3));
+    }
+
+    #[test]
+    fn records_have_what_is_stored_and_not_the_default() {
+        let mut cells = Small::new(TABLE, 2);
+        assert_eq!(cells.records().count(), 0);
+        cells.set_at(Id::Lost, 0, 7);
+        cells.set_at(Id::Global, 0, 2);
+        for place in 0..40 {
+            cells.set_at(Id::Several, place, place as i32 % 10 - 9);
+        }
+        let records: heapless::Vec<_, 8> = cells.records().collect();
+        assert_eq!(records.len(), 3);
+        let mut again = Small::new(TABLE, 2);
+        records.iter().for_each(|record| again.take(record));
+        cells.set_at(Id::Lost, 0, 1);
+        assert_eq!(again.values, cells.values);
+    }
+
+    #[test]
+    fn strange_records_change_nothing() {
+        let check = |record: &[u8]| {
+            let mut cells = Small::new(TABLE, 2);
+            cells.take(record);
+            assert_eq!(cells.values, Small::new(TABLE, 2).values, "{record:?}");
+        };
+        check(&[]);
+        check(&[1, 0, 2]);
+        // No such entry, no such place, not stored, out of range.
+        check(&[9, 0, 2, 0, 0, 0]);
+        check(&[1, 3, 2, 0, 0, 0]);
+        check(&[2, 0, 2, 0, 0, 0]);
+        check(&[1, 0, 10, 0, 0, 0]);
+    }
+}

@@ -172,3 +172,107 @@ fn is_number(text: &str) -> bool {
     let digits = text.strip_prefix(['+', '-']).unwrap_or(text);
     !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pmx2ed::table::{AXES, COMMANDS, Id};
+
+    fn meant(line: &str) -> Result<Parsed<'_, Id>, Refusal> {
+        parse(COMMANDS, AXES, line)
+    }
+
+    #[test]
+    fn every_example_means_its_entry() {
+        for command in COMMANDS {
+            let parsed = meant(command.about.example).expect(command.about.example);
+            assert_eq!(parsed.command.id, command.id, "{}", command.about.example);
+        }
+    }
+
+    #[test]
+    fn what_follows_the_name() {
+        let check = |line, id, place, value| {
+            let parsed = meant(line).expect(line);
+            assert_eq!((parsed.command.id, parsed.place(), parsed.value), (id, place, value), "{line}");
+        };
+        check("ACC", Id::Acceleration, None, None);
+        check("ACC=5", Id::Acceleration, None, Some("5"));
+        check("ACCY=", Id::Acceleration, Some(1), Some(""));
+        check("DI", Id::Inputs, None, None);
+        check("DI8", Id::Inputs, Some(7), None);
+        check("DO8=1", Id::Output, Some(7), Some("1"));
+        check("V0", Id::Variable, Some(0), None);
+        check("SA1274=a=b", Id::ProgramLine, Some(1274), Some("a=b"));
+        check("SLX", Id::Loop, Some(0), None);
+        check("SLSX", Id::LoopStatus, Some(0), None);
+        check("SLOAD", Id::RunOnBoot, None, None);
+        check("LX-", Id::LimitHome, Some(0), None);
+        check("LCAX", Id::LimitCorrection, Some(0), None);
+        check("HY+", Id::Home, Some(1), None);
+        check("HLY+", Id::HomeLow, Some(1), None);
+        check("EX", Id::Encoder, Some(0), None);
+        check("EO1", Id::Enable, Some(0), None);
+        check("JO", Id::JoystickOn, None, None);
+        check("JO=1", Id::JoystickMask, None, Some("1"));
+        check("J-", Id::Jog, None, None);
+        check("TOC", Id::TimeOut, None, None);
+        check("TY-5", Id::Target, Some(1), None);
+    }
+
+    #[test]
+    fn directions_and_targets() {
+        let way = |line| meant(line).map(|parsed| parsed.way);
+        assert_eq!(way("JX+"), Ok(Some(Direction::Positive)));
+        assert_eq!(way("ZHY-"), Ok(Some(Direction::Negative)));
+        let check = |line, x, y| {
+            let targets = meant(line).expect(line).targets;
+            assert_eq!(targets, [x, y, None, None], "{line}");
+        };
+        check("X5", Some(5), None);
+        check("Y-5", None, Some(-5));
+        check("X+5Y6", Some(5), Some(6));
+        check("Y6X5", Some(5), Some(6));
+        check("I-1:2147483647", Some(-1), Some(i32::MAX));
+        check("TX-2147483648", Some(i32::MIN), None);
+    }
+
+    #[test]
+    fn what_is_no_command() {
+        let check = |line, refusal| assert_eq!(meant(line).map(|it| it.command.id), Err(refusal), "{line}");
+        for line in
+            ["", "X", "XX", "X1X2", "x1", "X1Z2", "I1", "I1:2:3", "PZ", "JX", "T5", "ID=1", "SSPDX", "VER1"]
+        {
+            check(line, Refusal::Unknown);
+        }
+        for line in ["DI0", "DO9=1", "V64", "V70000", "SA1275", "GS32", "AI3"] {
+            check(line, Refusal::Index);
+        }
+        for line in ["X2147483648", "I0:99999999999", "TX-2147483649"] {
+            check(line, Refusal::Value);
+        }
+    }
+
+    #[test]
+    fn numbers() {
+        let check = |line, number| assert_eq!(meant(line).and_then(|it| it.number()), number, "{line}");
+        check("V1=-2147483648", Ok(i32::MIN));
+        check("V1=+7", Ok(7));
+        check("V1=2147483648", Err(Refusal::Value));
+        check("V1=", Err(Refusal::Value));
+        check("V1=1.5", Err(Refusal::Value));
+        check("V1=0x10", Err(Refusal::Value));
+        check("V1= 1", Err(Refusal::Value));
+        check("EO=3", Ok(3));
+        check("EO=4", Err(Refusal::Value));
+        check("SLRX=2.5", Ok(2500));
+        check("SLRX=0.001", Ok(1));
+        check("SLRX=999.999", Ok(999_999));
+        check("SLRX=3", Ok(3000));
+        check("SLRX=1.", Ok(1000));
+        for line in ["SLRX=0", "SLRX=1000", "SLRX=0.0001", "SLRX=.5", "SLRX=-1", "SLRX=1.2.3", "SLRX=9999999"]
+        {
+            check(line, Err(Refusal::Value));
+        }
+    }
+}

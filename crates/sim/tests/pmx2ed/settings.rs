@@ -72,12 +72,16 @@ fn erased() -> SharedFlash {
     SharedFlash::erased(model("pmx-2ed").expect("the model exists").flash_bytes)
 }
 
-fn write(rig: &mut Rig, which: usize) {
+fn set(rig: &mut Rig, values: &[String]) {
     // The ratio is that of a loop that is off.
     rig.ok("SLX=0");
-    for (name, values) in ITEMS {
-        rig.ok(&format!("{name}={}", values[which]));
+    for ((name, _), value) in ITEMS.iter().zip(values) {
+        rig.ok(&format!("{name}={value}"));
     }
+}
+
+fn write(rig: &mut Rig, which: usize) {
+    set(rig, &values(which));
 }
 
 /// The items as they are.
@@ -112,10 +116,7 @@ fn every_item_of_table_7_15_is_stored() {
         assert_ne!(rig.say(name), *value, "{name}");
     }
     // Defaults can be stored again.
-    rig.ok("SLX=0");
-    for ((name, _), default) in ITEMS.iter().zip(&defaults) {
-        rig.ok(&format!("{name}={default}"));
-    }
+    set(&mut rig, &defaults);
     rig.ok("STORE");
     rig.power_cycle();
     assert_eq!(read(&mut rig), defaults);
@@ -142,6 +143,7 @@ fn cut_everywhere(start: &[u8]) {
     rig.ok("STORE");
     let operations = flash.operations() - before;
     assert!(operations > 5, "{operations}");
+    let defaults = read(&mut Rig::on(erased()));
     for cut in 0..=operations {
         let flash = SharedFlash::from_bytes(start.to_vec());
         flash.set_seed(cut);
@@ -157,6 +159,12 @@ fn cut_everywhere(start: &[u8]) {
         } else {
             assert!(found == values(0) || found == values(1), "cut at {cut}: {found:?}");
         }
+        // What the cut left behind does not show in a store of less.
+        let other = SharedFlash::from_bytes(flash.to_bytes());
+        let mut less = Rig::on(other.clone());
+        set(&mut less, &defaults);
+        less.ok("STORE");
+        assert_eq!(read(&mut Rig::on(other)), defaults, "less after the cut at {cut}");
         // And it can be stored again.
         write(&mut rig, 0);
         rig.ok("V33=1 STORE");
