@@ -1,10 +1,13 @@
 """The program under test: `pulsetrain serve` as a child process, driven through its stable interface only."""
 
+import json
 import os
 import pathlib
 import signal
 import subprocess
 import threading
+import urllib.parse
+import urllib.request
 
 PROGRAM = pathlib.Path(
     os.environ.get("PULSETRAIN", pathlib.Path(__file__).parents[1] / "target/release/pulsetrain")
@@ -16,16 +19,19 @@ STOP_TIMEOUT_S = 10
 class Server:
     """A running server. `endpoints` has the `ready` lines as a dictionary from name to endpoint."""
 
-    def __init__(self, *arguments, devices):
+    def __init__(self, *arguments, devices, http=False):
         self._process = subprocess.Popen(
-            [PROGRAM, "serve", *arguments, "--no-http"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True
+            [PROGRAM, "serve", *arguments, *(["--http", "127.0.0.1:0"] if http else ["--no-http"])],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            text=True,
         )
         self.endpoints = {}
         # A child that never becomes ready is ended, which ends the reading of its output.
         watchdog = threading.Timer(START_TIMEOUT_S, self._process.kill)
         watchdog.start()
         try:
-            while len(self.endpoints) < devices:
+            while len(self.endpoints) < devices + http:
                 line = self._process.stdout.readline()
                 if not line:
                     self._process.kill()
@@ -35,6 +41,25 @@ class Server:
                 self.endpoints[name] = endpoint.strip()
         finally:
             watchdog.cancel()
+
+    def call(self, method, path, value=None):
+        """A call of the HTTP interface below `/api/devices/`; gives what it answers."""
+        url = urllib.parse.urlsplit(self.endpoints["http"])
+        token = urllib.parse.parse_qs(url.query)["token"][0]
+        request = urllib.request.Request(
+            f"http://{url.netloc}/api/devices/{path}",
+            method=method,
+            data=None if value is None else json.dumps(value).encode(),
+            headers={"Authorization": f"Bearer {token}"},
+        )
+        with urllib.request.urlopen(request, timeout=10) as answer:
+            body = answer.read()
+        return json.loads(body) if body else None
+
+    def drive(self, device, pin, value):
+        """Puts a level or a number on a pin, or gives it back to the machine if the value is `None`."""
+        place = f"{device}/pins/{urllib.parse.quote(pin, safe='')}"
+        self.call("DELETE" if value is None else "PUT", place, value)
 
     def stop(self, how=signal.SIGTERM):
         """Asks the server to end and gives its exit status."""

@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from conftest import connect
+from trinamic import connect
 from server import Server
 
 

@@ -20,12 +20,6 @@ pub enum Program {
     Ascript(Vec<::ascript::Line>),
 }
 
-impl Program {
-    fn is_for(&self, language: Language) -> bool {
-        matches!((self, language), (Self::Tmcl(_), Language::Tmcl) | (Self::Ascript(_), Language::Ascript(_)))
-    }
-}
-
 /// How long a run without a time limit waits, after the program has ended, for the axes to stand.
 pub const MAX_COAST_SECONDS: u64 = 60;
 
@@ -213,10 +207,10 @@ fn instructions(device: &VirtualDevice) -> u64 {
 /// [`RunError`].
 pub fn load(device: &mut VirtualDevice, program: &Program) -> Result<(), RunError> {
     let model = device.config().model;
-    match program {
-        _ if !program.is_for(model.language) => Err(RunError::Language(model.name)),
-        Program::Tmcl(commands) => tmcl::load(device, commands),
-        Program::Ascript(lines) => ascript::load(device, lines),
+    match (program, model.language) {
+        (Program::Tmcl(commands), Language::Tmcl) => tmcl::load(device, commands),
+        (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::load(device, dialect, lines),
+        _ => Err(RunError::Language(model.name)),
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::{RunError, exchange};
 use crate::device::VirtualDevice;
-use ascript::Line;
+use ascript::{Dialect, Line};
 use std::collections::BTreeSet;
 
-pub(super) fn load(device: &mut VirtualDevice, lines: &[Line]) -> Result<(), RunError> {
-    for number in 0..device.programs().count() {
+pub(super) fn load(device: &mut VirtualDevice, dialect: &Dialect, lines: &[Line]) -> Result<(), RunError> {
+    for number in 0..dialect.threads {
         send(device, &format!("SR{number}=0"))?;
     }
     for (number, line) in lines.iter().enumerate() {
