@@ -167,3 +167,70 @@ fn optional(operand: Operand, value: i32, temporaries: &[Value]) -> Option<Optio
         _ => read(operand, value, temporaries).map(Some),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dialect::{COMMANDER, PERFORMAX_2};
+
+    fn lines(text: &str) -> Vec<Line> {
+        text.lines().map(|line| Line::parse(line.trim(), &COMMANDER).expect("a line")).collect()
+    }
+
+    #[test]
+    fn programs() {
+        let check = |text: &str, expected: &str| {
+            assert_eq!(decompile(&lines(text), &COMMANDER).as_deref(), Ok(expected), "{text}");
+        };
+        check("", "");
+        check("\n\n", "");
+        check("PRG 0\nEND\n\n", "PRG 0\nEND\n");
+        check(
+            "PRG 1\nT0 = DI1\nIF T0 = 1 -> 6\nT0 = 5\nX T0 Y -6\nELSE -> 7\nDELAY = 4294967295\nENDIF\nEND\nSUB 3\nENDSUB",
+            "PRG 1\n  IF DI1=1\n    X5Y-6\n  ELSE\n    DELAY=4294967295\n  ENDIF\nEND\n\nSUB 3\nENDSUB\n",
+        );
+    }
+
+    #[test]
+    fn lines_of_no_program() {
+        let check = |text: &str, address: usize| {
+            let lines = lines(text);
+            let expected = DecompileError::Misplaced { address, line: lines[address] };
+            assert_eq!(decompile(&lines, &COMMANDER), Err(expected), "{text}");
+        };
+        check("PRG 0", 0);
+        check("END", 0);
+        check("V1 = 1\nEND", 0);
+        check("PRG 0\n\nEND", 1);
+        check("PRG 0\nENDIF\nEND", 1);
+        check("PRG 0\nEND\nT0 = 1", 2);
+        // Temporaries that nothing uses, are missing, out of order, not needed, or calculated.
+        check("PRG 0\nT0 = 1\nV1 = 5\nEND", 1);
+        check("PRG 0\nV1 = T0\nEND", 1);
+        check("PRG 0\nT1 = 1\nV1 = T1 + 2\nEND", 1);
+        check("PRG 0\nT0 = 1\nV1 = 2 + T0\nEND", 1);
+        check("PRG 0\nT0 = 1\nV1 = T0 + V2\nEND", 1);
+        check("PRG 0\nT0 = V1\nV1 = T0 + 1\nEND", 1);
+        check("PRG 0\nT0 = ~PX\nV1 = T0 + 1\nEND", 1);
+        check("PRG 0\nT0 = 1\nT1 = 2\nT2 = 3\nT0 = 4\nX 1\nEND", 4);
+        // Jumps to other places.
+        check("PRG 0\nIF V1 = V2 -> 3\nENDIF\nEND", 1);
+        check("PRG 0\nWHILE V1 = 1 -> 2\nENDWHILE -> 1\nEND", 1);
+        check("PRG 0\nWHILE V1 = 1 -> 3\nENDWHILE -> 0\nEND", 2);
+        check("PRG 0\nIF V1 = V2 -> 2\nELSE -> 2\nENDIF\nEND", 1);
+        check("PRG 0\nELSEIF -> 3\nABS\nEND", 2);
+        check("PRG 0\nELSEIF -> 2", 1);
+        // Two programs, or subroutines, of one number.
+        check("PRG 0\nEND\nPRG 0\nEND", 2);
+        check("SUB 0\nENDSUB\nSUB 0\nENDSUB", 2);
+    }
+
+    #[test]
+    fn lines_of_another_dialect() {
+        let foreign = DecompileError::Foreign { address: 1, line: Line::Program(3) };
+        assert_eq!(decompile(&lines("END\nPRG 3"), &PERFORMAX_2), Err(foreign));
+        let long = vec![Line::End; 1276];
+        let too_long = DecompileError::TooLong { count: 1276, most: 1275 };
+        assert_eq!(decompile(&long, &PERFORMAX_2), Err(too_long));
+    }
+}

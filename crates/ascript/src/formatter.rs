@@ -26,3 +26,43 @@ pub fn format(name: &str, source: &[u8], dialect: &Dialect) -> Result<String, Ve
     let trimmed = text.trim_end_matches('\n');
     Ok(if trimmed.is_empty() { String::new() } else { format!("{trimmed}\n") })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dialect::PERFORMAX_2;
+
+    #[test]
+    fn layout() {
+        let check = |source: &str, expected: &str| {
+            let formatted = format("test", source.as_bytes(), &PERFORMAX_2);
+            assert_eq!(formatted.as_deref(), Ok(expected), "{source}");
+        };
+        check("", "");
+        check("\n \n", "");
+        check("; only this", "; only this\n");
+        check("\u{FEFF}V01 = 007\r\n\r\nEND\n\n\n", "V1=7\n\nEND\n");
+        check(
+            "PRG0 ; first  \n;margin\n  ; inside\nWHILE  DI 1 = 1;wait\nX 100 Y V 2\nENDWHILE\nEND\n",
+            "PRG 0                       ; first
+;margin
+  ; inside
+  WHILE DI1=1               ;wait
+    X100YV2
+  ENDWHILE
+END
+",
+        );
+        // A long statement pushes its comment away.
+        check(
+            "IF MSTX&1234567890>=-2147483648;x\nELSEIF 1=V1-2\nELSE\nENDIF\nEND",
+            "IF MSTX&1234567890>=-2147483648  ;x\nELSEIF 1=V1-2\nELSE\nENDIF\nEND\n",
+        );
+    }
+
+    #[test]
+    fn errors_are_told() {
+        let errors = format("test", b"V1==1\nEND", &PERFORMAX_2).expect_err("wrong");
+        assert_eq!((errors.len(), errors[0].line), (1, 1));
+    }
+}
