@@ -1,4 +1,5 @@
-//! Any lines, as text or bytes, in a memory that a few threads execute under any treatment.
+//! Any lines, as text or bytes, in a memory that two threads execute under any treatment. The treatment stands
+//! behind the last byte 0.
 #![no_main]
 
 use ascript::dialect::{COMMANDER, PERFORMAX_2};
@@ -25,8 +26,9 @@ fn lines(program: &[u8], dialect: &Dialect) -> Vec<Line> {
     }
 }
 
-fuzz_target!(|input: (&[u8], &[u8])| {
-    let (treatment, program) = input;
+fuzz_target!(|input: &[u8]| {
+    let end = input.iter().rposition(|&byte| byte == 0).unwrap_or(input.len());
+    let (program, treatment) = input.split_at(end);
     for dialect in [&PERFORMAX_2, &COMMANDER] {
         let mut memory = Memory::<200, 64>::new();
         let lines = lines(program, dialect);

@@ -6,7 +6,7 @@
 //! a condition or a call is handed to the device. A [`Dialect`] says what the families have more or less of.
 //!
 //! Words, lines and machine need no allocator; the compiler ([`compile`]), decompiler ([`decompile`]),
-//! formatter ([`format`]) and program files ([`image`]) are behind the feature `std`.
+//! formatter ([`format()`]) and program files ([`image`]) are behind the feature `std`.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 #[cfg(feature = "std")]

@@ -56,8 +56,8 @@ fn examples_of_the_manuals() {
         assert_eq!(examples.len(), count, "{folder}");
         for (name, source) in &examples {
             check(name, source, dialect);
+            reference::compare(source, dialect);
             let layout = format(name, source.as_bytes(), dialect);
-            // Without PRG there is nothing to tell the formatter that comments are part of the program.
             assert_eq!(layout.as_ref(), Ok(source), "{name} is not in its layout");
             assert_eq!(compile(name, source.as_bytes(), dialect).diagnostics, [], "{name}");
         }

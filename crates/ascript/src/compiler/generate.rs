@@ -296,15 +296,10 @@ impl Generator<'_> {
             comparison = comparison.mirrored();
         }
         let Expression { operator, x, y } = left;
-        // Without a second operand the third one moves up.
-        let (z, rest) = match y {
-            Some(y) => ([Some(x), Some(y), Some(right.x), None], 2),
-            None => ([Some(x), Some(right.x), None, None], 1),
-        };
-        let (operands, value) = self.operands(z, span);
-        let y = if rest == 2 { operands[1] } else { Operand::NONE };
+        let (operands, value) = self.operands([Some(x), y, Some(right.x), None], span);
+        let [x, y, z, _] = operands;
         let test = self.here();
-        self.emit(line(Test { operator, comparison, x: operands[0], y, z: operands[rest], value }), span);
+        self.emit(line(Test { operator, comparison, x, y, z, value }), span);
         test
     }
 
