@@ -21,6 +21,9 @@ pub(crate) use source::Source;
 use crate::dialect::Dialect;
 use crate::line::Line;
 
+/// Most messages about a source.
+pub const MAX_MESSAGES: usize = 500;
+
 /// How deep `IF` and `WHILE` nest.
 pub const MAX_NESTING: usize = 32;
 
@@ -71,9 +74,8 @@ pub fn compile(name: &str, source: &[u8], dialect: &Dialect) -> Compilation {
     let (lines, mut findings) = parse(&source, dialect);
     let (code, more) = generate::generate(&lines, dialect);
     findings.extend(more);
-    let diagnostics = diagnostics(&source, findings);
-    let correct = diagnostics.iter().all(|diagnostic| diagnostic.kind().is_none());
-    Compilation { code: correct.then_some(code), diagnostics }
+    let correct = findings.iter().all(|finding| finding.severity == Severity::Warning);
+    Compilation { code: correct.then_some(code), diagnostics: diagnostics(&source, findings) }
 }
 
 /// A source, unless it is too long.
@@ -85,9 +87,10 @@ pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> 
     Err(diagnostics(&Source::new(name, &[]), vec![Finding::error(ErrorKind::Other, 0..0, message)]))
 }
 
-/// Findings about a source, in its order.
+/// Findings about a source, in its order; the first of them if there are too many.
 pub(crate) fn diagnostics(source: &Source, mut findings: Vec<Finding>) -> Vec<Diagnostic> {
     findings.sort_by_key(|finding| finding.span.start);
+    findings.truncate(MAX_MESSAGES);
     findings.into_iter().map(|finding| Diagnostic::new(source, finding)).collect()
 }
 

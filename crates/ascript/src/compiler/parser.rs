@@ -4,7 +4,7 @@ use super::diagnostic::{ErrorKind, Finding};
 use super::lexer::{self, Token, Tokens};
 use super::source::{Source, Span};
 use super::syntax::{Condition, Expression, Statement, Value};
-use super::words;
+use super::{MAX_MESSAGES, words};
 use crate::dialect::Dialect;
 use crate::isa::{Comparison, Direction, Entry, Index, Kind, Operator, Place, Suffix, Word};
 use crate::line::OPERANDS;
@@ -26,7 +26,8 @@ pub(crate) struct SourceLine {
 /// What a line of tokens gives.
 type Result<T> = std::result::Result<T, Finding>;
 
-/// The lines of a source, and what is wrong with those that have no statement.
+/// The lines of a source, and what is wrong with those that have no statement. Behind [`MAX_MESSAGES`] wrong
+/// lines nothing is read any more: then it is no program.
 pub(crate) fn parse(source: &Source, dialect: &Dialect) -> (Vec<SourceLine>, Vec<Finding>) {
     let mut findings = Vec::new();
     let lines = lexer::lines(source).into_iter().map(|Tokens { tokens, comment }| {
@@ -34,7 +35,7 @@ pub(crate) fn parse(source: &Source, dialect: &Dialect) -> (Vec<SourceLine>, Vec
             (Some((_, first)), Some((_, last))) => first.start..last.end,
             _ => 0..0,
         };
-        if tokens.is_empty() {
+        if tokens.is_empty() || findings.len() == MAX_MESSAGES {
             return SourceLine { statement: None, wrong: false, span, comment };
         }
         let mut parser = Parser { source, dialect, tokens: &tokens, position: 0 };

@@ -364,6 +364,13 @@ fn bounds() {
     let blocks = "IF DI1=1\nELSEIF DI2=1\nELSE\nENDIF\nWHILE 1=1\nENDWHILE\n".repeat(500);
     assert_eq!(kinds(&format!("PRG 0\n{blocks}END\n"), &PERFORMAX_2).len(), 1);
 
+    for wrong in ["ABX\n", "PRG 0\nENDIF\nEND\n"] {
+        assert_eq!(kinds(&wrong.repeat(MAX_MESSAGES + 10), &PERFORMAX_2).len(), MAX_MESSAGES, "{wrong}");
+    }
+    // Warnings do not hide an error behind them.
+    let warnings = "GOSUB 9\n".repeat(MAX_MESSAGES);
+    assert!(compile("", format!("{warnings}ENDIF\nEND\n").as_bytes(), &PERFORMAX_2).has_errors());
+
     let huge = vec![b'\n'; MAX_SOURCE_BYTES + 1];
     assert!(compile("", &huge, &PERFORMAX_2).has_errors());
     assert!(!compile("", &huge[1..], &PERFORMAX_2).has_errors());
