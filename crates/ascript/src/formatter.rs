@@ -6,7 +6,8 @@ use crate::layout::{Row, lay_out};
 
 /// The same program in the usual layout: blocks indented, no spaces but those between a word and what it is
 /// about, comments behind statements below each other. Comments and blank lines stay, except for blank lines
-/// at the end, and comments of their own that stand at the margin stay there. The compiled lines are the same.
+/// at the end, and comments of their own that stand at the margin stay there. The compiled lines are the same. The
+/// result is UTF-8, with line feeds.
 ///
 /// # Errors
 /// What the compiler has against the source, if it has errors.

@@ -135,6 +135,30 @@ fn every_word_has_its_test() {
     }
 }
 
+/// The page of decisions names tests of this crate, in its last column.
+#[test]
+fn every_decision_has_its_test() {
+    let crate_folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = std::fs::read_to_string(crate_folder.join("../../docs/conformance/a-script-decisions.md"));
+    let page = page.expect("the page is there");
+    let mut sources = String::new();
+    let mut folders = vec![crate_folder.join("src"), crate_folder.join("tests")];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).expect("a folder").flatten() {
+            match entry.file_type() {
+                Ok(kind) if kind.is_dir() => folders.push(entry.path()),
+                _ => sources += &std::fs::read_to_string(entry.path()).expect("text"),
+            }
+        }
+    }
+    let last_columns = page.lines().filter_map(|line| line.strip_suffix("` |")?.rsplit('`').next());
+    let tests: Vec<&str> = last_columns.collect();
+    assert!(tests.len() > 20);
+    for test in tests {
+        assert!(sources.contains(&format!("fn {test}(")), "no test `{test}`");
+    }
+}
+
 #[test]
 fn registers_are_read_and_written_as_their_access_says() {
     for dialect in [&PERFORMAX_2, &COMMANDER] {

@@ -39,6 +39,7 @@ fn lines_of_statements() {
     check("GOSUB 31", &["GOSUB 31"]);
     // Two: a number and a register, or two of one kind.
     check("V1=IO&3", &["T0 = IO", "V1 = T0 & 3"]);
+    check("V1=MSTX&7", &["T0 = MSTX", "V1 = T0 & 7"]);
     check("V1=1+2", &["T0 = 1", "V1 = T0 + 2"]);
     check("V1=PX-EX", &["T0 = PX", "V1 = T0 - EX"]);
     check("X1000Y-2000", &["T0 = 1000", "X T0 Y -2000"]);
@@ -272,6 +273,7 @@ fn errors_between_lines() {
     };
     check("", &[]);
     check("SUB 1\nENDSUB\n", &[]);
+    check("SUB 1\nENDSUB\nABS\nEND\nPRG 1\nEND\n", &[]);
     check("ABS\n", &[(MissingEnd, 1)]);
     check("PRG 0\nPRG 1\nEND\n", &[(MissingEnd, 1)]);
     check("PRG 0\nSUB 1\nENDSUB\n", &[(MissingEnd, 1)]);
