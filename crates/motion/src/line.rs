@@ -146,49 +146,78 @@ impl Member {
     /// Slots of the path to this pulse of the axis, from 1; `None` if it takes no part.
     fn slots_to(&self, pulse: u32, path: &Train, longest: u32) -> Option<u64> {
         let (whole, step) = (2 * u64::from(longest), 2 * u64::from(self.way));
-        let beyond = self.beyond_on(path, longest);
+        let beyond = self.mirrored(path, longest).beyond;
         (step > 0).then(|| (u64::from(pulse) * whole - beyond).div_ceil(step))
     }
 
-    /// Backward, the same rule holds from the other side.
-    fn beyond_on(&self, path: &Train, longest: u32) -> u64 {
-        if path.direction == AHEAD { self.beyond } else { 2 * u64::from(longest) - 1 - self.beyond }
+    /// Backward on the path, the same rule holds from the other side.
+    fn mirrored(self, path: &Train, longest: u32) -> Self {
+        let whole = 2 * u64::from(longest);
+        let beyond = if path.direction == AHEAD { self.beyond } else { whole - 1 - self.beyond };
+        Self { beyond, ..self }
     }
 
     /// The trains of the axis in a train of the path.
     fn follow(&mut self, path: &Train, longest: u32, mut emit: impl FnMut(&Train)) {
+        let train = Train { direction: self.direction(path), ..*path };
+        if self.way == longest {
+            return emit(&train);
+        }
         if self.way == 0 {
             return;
         }
-        let mut rest = Train { direction: self.direction(path), ..*path };
-        if self.way == longest {
-            return emit(&rest);
+        *self = self.mirrored(path, longest);
+        if self.way < longest / MAX_SLOTS {
+            self.follow_rarely(train, longest, emit);
+        } else {
+            self.follow_often(train, longest, emit);
         }
+        *self = self.mirrored(path, longest);
+    }
+
+    /// Pulses that are further apart than a mask is long, one by one.
+    fn follow_rarely(&mut self, train: Train, longest: u32, mut emit: impl FnMut(&Train)) {
         let (whole, step) = (2 * u64::from(longest), 2 * u64::from(self.way));
-        let mut beyond = self.beyond_on(path, longest);
+        let mut left = u64::from(train.count);
         loop {
-            let (slots, after) = match rest.count {
-                ..=MAX_SLOTS => (rest, None),
+            let slots = (whole - self.beyond).div_ceil(step);
+            if slots > left {
+                self.beyond += left * step;
+                break;
+            }
+            left -= slots;
+            self.beyond = self.beyond + slots * step - whole;
+            emit(&train.alone(train.count - left as u32));
+        }
+    }
+
+    /// A mask for every few slots.
+    fn follow_often(&mut self, train: Train, longest: u32, mut emit: impl FnMut(&Train)) {
+        let (whole, step) = (2 * i64::from(longest), 2 * i64::from(self.way));
+        // How far from the next middle: below 0.
+        let mut short = self.beyond as i64 - whole;
+        let mut rest = Some(train);
+        while let Some(train) = rest {
+            let slots;
+            (slots, rest) = match train.count {
+                ..=MAX_SLOTS => (train, None),
                 _ => {
-                    let (slots, after) = rest.split(MAX_SLOTS);
-                    (slots, Some(after))
+                    let (slots, rest) = train.split(MAX_SLOTS);
+                    (slots, Some(rest))
                 }
             };
             let mut mask = 0;
-            for slot in 0..slots.count {
-                beyond += step;
-                let reached = beyond >= whole;
-                beyond -= if reached { whole } else { 0 };
-                mask |= u64::from(reached) << slot;
+            for _ in 0..slots.count {
+                short += step;
+                // All ones if the middle is not reached: no branch to mispredict.
+                let missed = short >> 63;
+                short -= whole & !missed;
+                mask = mask << 1 | (missed + 1) as u64;
             }
-            if let Some(train) = slots.masked(mask) {
+            if let Some(train) = slots.masked(mask.reverse_bits() >> (u64::BITS - slots.count)) {
                 emit(&train);
             }
-            match after {
-                Some(after) => rest = after,
-                None => break,
-            }
         }
-        self.beyond = if path.direction == AHEAD { beyond } else { whole - 1 - beyond };
+        self.beyond = (short + whole) as u64;
     }
 }

@@ -128,6 +128,17 @@ impl Train {
         (count > 0).then_some(Self { count, mask, ..*self })
     }
 
+    /// The train of one of the pulses of a plain train.
+    ///
+    /// # Panics
+    /// If this train is not plain.
+    pub(crate) fn alone(&self, k: u32) -> Self {
+        assert!(self.mask == EVERY_SLOT, "slots are pulses");
+        let start = self.moment(k - 1);
+        let interval = self.offset(k).wrapping_sub(self.offset(k - 1));
+        Self { start, interval, add: 0, jerk: 0, count: 1, ..*self }
+    }
+
     /// The slot of pulse `k`; 0 for `k` = 0.
     #[inline]
     pub const fn slot(&self, k: u32) -> u32 {
@@ -223,16 +234,21 @@ impl Train {
     pub fn expand(&self, edges: &mut [Ticks]) -> usize {
         let count = edges.len().min(self.count as usize);
         let edges = &mut edges[..count];
+        let mut all = self.edges();
         if self.mask == EVERY_SLOT {
-            let Edges { ticks, mut offset, mut interval, mut add, jerk, .. } = self.edges();
             for edge in edges {
-                offset = offset.wrapping_add(interval);
-                interval = interval.wrapping_add(add);
-                add = add.wrapping_add(jerk);
-                *edge = ticks + (offset >> FRACTION_BITS);
+                *edge = all.slot();
+            }
+        } else if count == self.count as usize {
+            // Every slot is written, over the one before if that was empty: no branch to mispredict.
+            let (mut at, mut mask) = (0, self.mask);
+            while mask != 0 {
+                edges[at] = all.slot();
+                at += (mask & 1) as usize;
+                mask >>= 1;
             }
         } else {
-            edges.iter_mut().zip(self.edges()).for_each(|(edge, clock)| *edge = clock);
+            edges.iter_mut().zip(all).for_each(|(edge, clock)| *edge = clock);
         }
         count
     }
@@ -358,6 +374,17 @@ mod tests {
         assert_eq!(ramp().masked(u64::MAX), Some(ramp()));
         assert_eq!(ramp().masked(0x7F), Some(Train { count: 7, ..ramp() }));
         assert_eq!(ramp().masked(0), None);
+    }
+
+    #[test]
+    fn a_pulse_alone_is_where_it_was() {
+        for k in 1..=64 {
+            let alone = ramp().alone(k);
+            assert_eq!(
+                (alone.count, alone.moment(1), alone.start),
+                (1, ramp().moment(k), ramp().moment(k - 1))
+            );
+        }
     }
 
     #[test]

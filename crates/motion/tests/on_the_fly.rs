@@ -43,7 +43,7 @@ impl Bench {
         }
     }
 
-    fn to_rest(&mut self) {
+    fn finish(&mut self) {
         while let Some(wake) = self.axis.wake() {
             self.until(wake);
         }
@@ -76,7 +76,7 @@ fn a_move_tells_how_its_speed_changes() {
         // 3000 pulses: 550 in 100 ms, 220 in 40 ms, the others in 223 ms.
         bench.until(343 * MS);
         bench.check(5500, -1);
-        bench.to_rest();
+        bench.finish();
         bench.check(0, 0);
         assert!(bench.now.abs_diff(363 * MS) < MS, "{}", bench.now);
         assert_eq!(bench.axis.position(), 3000);
@@ -104,7 +104,7 @@ fn the_speed_changes_on_the_way() {
     bench.axis.set_limits(Limits { top: pps::speed(2000, scale(), CLOCK_HZ), ..bench.axis.limits() });
     bench.until(250 * MS);
     bench.check(2000, 0);
-    bench.to_rest();
+    bench.finish();
     assert_eq!((bench.axis.position(), bench.pulses.len()), (9000, 9000));
 }
 
@@ -127,7 +127,7 @@ fn a_target_changes_on_the_way() {
             bench.until(150 * MS);
             let passed = bench.axis.position();
             bench.axis.set_goal(Goal::Position(target));
-            bench.to_rest();
+            bench.finish();
             assert_eq!(bench.axis.position(), target);
             let back = bench.pulses.iter().filter(|clock| **clock < 0).count();
             assert_eq!(back > 0, target < passed + 220, "to {target} after {passed}");
@@ -145,7 +145,7 @@ fn a_stop_slows_down_and_an_abort_does_not() {
             bench.axis.set_goal(Goal::Speed(Direction::Positive, 0));
             bench.until(220 * MS);
             bench.check(5500, -1);
-            bench.to_rest();
+            bench.finish();
             assert!((219..=222).contains(&(bench.pulses.len() - made)));
             assert!(bench.now.abs_diff(240 * MS) < MS);
 
@@ -197,13 +197,13 @@ fn a_counter_set_on_the_way_disturbs_nothing() {
 fn a_target_goes_with_a_renumbered_place() {
     for s_curve in [false, true] {
         let mut undisturbed = Bench::new(s_curve, Goal::Position(-3000));
-        undisturbed.to_rest();
+        undisturbed.finish();
         for step in 1..70 {
             let mut bench = Bench::new(s_curve, Goal::Position(-3000));
             bench.until(step * 5 * MS);
             let made = bench.pulses.len() as i32;
             bench.axis.renumber(i32::MIN + 5);
-            bench.to_rest();
+            bench.finish();
             assert_eq!(bench.pulses, undisturbed.pulses);
             assert_eq!(bench.axis.position(), i32::MIN.wrapping_add(5 - 3000 + made));
             assert_eq!(bench.axis.goal(), Goal::Position(bench.axis.position()));
