@@ -6,9 +6,10 @@
 //! counts.
 
 use crate::block;
+use crate::foot::Foot;
 use crate::plan::{self, Kind, Limits, Now, Piece, Run, Wish};
 use crate::scurve::{self, Course};
-use crate::speed::{MAX_SPEED, Pace, Speed};
+use crate::speed::{MAX_SPEED, Pace, Speed, SpeedSquared};
 use crate::train::{Direction, Moment, Ticks, Train};
 
 /// One whole pulse in 2⁻³².
@@ -36,8 +37,8 @@ pub enum Stop {
 #[derive(Clone, Copy, Debug)]
 struct Leg {
     train: Train,
-    /// At the start of the train and at its end.
-    ends: [Pace; 2],
+    /// At the end of the train; at its start it is that of the axis.
+    end: Pace,
     /// The moment of the last pulse.
     last: Moment,
     kind: Kind,
@@ -74,6 +75,8 @@ pub struct Axis {
     run: Run,
     /// How a motion with S-curves goes on.
     course: Option<Course>,
+    /// The slow ends of a braking ramp and of one that speeds up.
+    feet: [Foot; 2],
 }
 
 impl Axis {
@@ -95,6 +98,7 @@ impl Axis {
             leg: None,
             run: Run::NONE,
             course: None,
+            feet: [false, true].map(|rises| Foot::new(limits.scale, rises)),
         }
     }
 
@@ -140,7 +144,7 @@ impl Axis {
 
     /// Whether the speed is rising (1), falling (−1) or neither.
     pub fn acceleration(&self) -> i32 {
-        self.leg.as_ref().map_or(0, |leg| match leg.ends[1].squared.cmp(&leg.ends[0].squared) {
+        self.leg.as_ref().map_or(0, |leg| match leg.end.squared.cmp(&self.pace.squared) {
             core::cmp::Ordering::Less => -1,
             core::cmp::Ordering::Equal => 0,
             core::cmp::Ordering::Greater => 1,
@@ -264,7 +268,7 @@ impl Axis {
             emit(&leg.train);
             let Train { count, direction, .. } = leg.train;
             self.since = leg.last;
-            self.pace = leg.ends[1];
+            self.pace = leg.end;
             self.rest = WHOLE;
             self.count(direction, count);
             self.leg = None;
@@ -283,7 +287,7 @@ impl Axis {
         self.pace = self.pace_after(&leg, done);
         self.rest = WHOLE;
         self.count(head.direction, done);
-        self.leg = Some(Leg { train: tail, ends: [self.pace, leg.ends[1]], ..leg });
+        self.leg = Some(Leg { train: tail, ..leg });
     }
 
     /// Puts a change into effect at the end of the present clock.
@@ -310,7 +314,7 @@ impl Axis {
     fn progress(&self, leg: &Leg) -> (Speed, u64) {
         let spacing = leg.train.interval;
         let gone = Moment::at(self.now + 1).since(leg.train.start).unwrap_or(0).min(spacing - 1);
-        let [from, to] = [leg.ends[0], self.pace_after(leg, 1)].map(|pace| i64::from(pace.speed));
+        let [from, to] = [self.pace, self.pace_after(leg, 1)].map(|pace| i64::from(pace.speed));
         // Over one pulse the speed is taken as linear in time; way is speed by time.
         let share = ((u128::from(gone) << 32) / u128::from(spacing)) as i64;
         let speed = from + (((to - from) * share) >> 32);
@@ -332,7 +336,7 @@ impl Axis {
     fn pace_after(&self, leg: &Leg, pulses: u32) -> Pace {
         match (&self.course, leg.kind) {
             (Some(course), Kind::Curve(_)) => Pace::of(course.speed_at(pulses)),
-            _ => leg.pace_after(pulses),
+            _ => leg.pace_after(self.pace, pulses),
         }
     }
 
@@ -355,19 +359,25 @@ impl Axis {
     }
 
     /// Finds the next leg, or comes to rest.
+    #[inline]
     fn plan(&mut self) {
-        if let Some(piece) = self.run.next(self.pace.squared) {
-            return self.go(piece);
+        match self.run.next(self.pace.squared) {
+            Some(Piece { count, end, kind: Kind::Foot(at) }) => self.go_on_foot(at as u32, count, end),
+            Some(piece) => self.go(piece),
+            None => self.plan_anew(),
         }
+    }
+
+    /// The same where nothing was decided beforehand.
+    #[inline(never)]
+    fn plan_anew(&mut self) {
         // Twice at the most: coming to rest may be the start of a motion the other way.
         for _ in 0..2 {
             if self.pace == Pace::STILL && !self.start() {
                 return;
             }
             match self.next_piece() {
-                Some(piece) => {
-                    return self.go(piece);
-                }
+                Some(piece) => return self.go(piece),
                 None => self.rest(),
             }
         }
@@ -375,24 +385,22 @@ impl Axis {
 
     /// Gets going if the goal asks for it and no switch forbids it.
     fn start(&mut self) -> bool {
-        let (direction, top) = match self.goal {
-            Goal::Position(target) => match target.wrapping_sub(self.position) {
-                0 => return false,
-                way => (Direction::of(way.into()), self.limits.top),
-            },
+        let (direction, speed) = match self.goal {
+            Goal::Position(target) => {
+                let way = target.wrapping_sub(self.position);
+                let pulses = u64::from(way.unsigned_abs());
+                let speed = match self.limits.bend() {
+                    _ if way == 0 => return false,
+                    Some(bend) => scurve::entry(&self.limits, bend, pulses),
+                    None => plan::entry(&self.limits, pulses),
+                };
+                (Direction::of(way.into()), speed)
+            }
             Goal::Speed(_, 0) => return false,
-            Goal::Speed(direction, speed) => (direction, speed),
+            Goal::Speed(direction, speed) => (direction, self.limits.start.min(speed)),
         };
         if self.blocked[direction as usize].is_some() {
             return false;
-        }
-        let mut speed = self.limits.start.min(top);
-        if let Goal::Position(target) = self.goal {
-            let way = i64::from(target.wrapping_sub(self.position)).unsigned_abs();
-            speed = match self.limits.bend() {
-                Some(bend) => scurve::entry(&self.limits, bend, way),
-                None => speed.min(plan::entry(&self.limits, way)),
-            };
         }
         self.direction = direction;
         self.pace = Pace::of(speed.max(self.limits.scale.slowest()));
@@ -431,6 +439,11 @@ impl Axis {
             }
             return self.course.as_mut()?.piece(self.rest);
         }
+        if let Some((key, piece, run)) = plan::foot(&self.limits, now, wish) {
+            self.feet[usize::from(key.rises)].suit(key);
+            self.run = run;
+            return Some(piece);
+        }
         let piece = match wish {
             Wish::To(pulses) => {
                 plan::toward(&self.limits, now, pulses).or_else(|| plan::brake(&self.limits, now))
@@ -445,14 +458,21 @@ impl Axis {
     /// Sets out on a piece.
     fn go(&mut self, piece: Piece) {
         let Piece { count, end, kind } = piece;
-        let scale = self.limits.scale;
-        let ends = [self.pace, self.pace.next(end)];
+        let (scale, start, direction) = (self.limits.scale, self.since, self.direction);
+        if let Kind::Foot(at) = kind {
+            return self.go_on_foot(at as u32, count, end);
+        }
+        let end = match (kind, &self.course) {
+            (Kind::Curve(_), Some(course)) => course.pace(),
+            _ => self.pace.next(end),
+        };
+        let ends = [self.pace, end];
         let train = match kind {
             Kind::Cruise => Train { interval: scale.spacing(self.pace.speed), count, ..self.still() },
-            Kind::Glide => block::glide(scale, self.since, self.direction, count, ends),
-            Kind::Curve(duration) => block::curve(scale, self.since, self.direction, count, ends, duration),
-            Kind::Ramp => {
-                let whole = block::ramp(scale, self.since, self.direction, count, ends);
+            Kind::Glide => block::glide(scale, start, direction, count, ends),
+            Kind::Curve(duration) => block::curve(scale, start, direction, count, ends, duration),
+            Kind::Ramp | Kind::Foot(_) => {
+                let whole = block::ramp(scale, start, direction, count, ends);
                 if self.rest == WHOLE {
                     whole
                 } else {
@@ -461,7 +481,17 @@ impl Axis {
                 }
             }
         };
-        self.leg = Some(Leg { train, ends, last: train.moment(count), kind });
+        self.leg = Some(Leg { train, end, last: train.moment(count), kind });
+    }
+
+    /// Sets out on pulses that are known. Nothing is calculated, so it is a function of its own: the leg is
+    /// written where it stays.
+    #[inline(never)]
+    fn go_on_foot(&mut self, at: u32, count: u32, end: SpeedSquared) {
+        let foot = &mut self.feet[usize::from(end > self.pace.squared)];
+        let (train, span, end) = foot.train(at, count, self.since, self.direction, self.pace);
+        let last = self.since.after(span);
+        self.leg = Some(Leg { train, end, last, kind: Kind::Foot(at.into()) });
     }
 
     fn still(&self) -> Train {
@@ -470,18 +500,18 @@ impl Axis {
 }
 
 impl Leg {
-    /// The speed after some of the pulses.
-    fn pace_after(&self, pulses: u32) -> Pace {
+    /// The speed after some of the pulses, from that at the start.
+    fn pace_after(&self, from: Pace, pulses: u32) -> Pace {
         let count = i128::from(self.train.count);
         let between = |from: u64, to: u64| {
             let change = (i128::from(to) - i128::from(from)) * i128::from(pulses) / count;
             (i128::from(from) + change) as u64
         };
-        let [from, to] = self.ends;
+        let to = self.end;
         match self.kind {
             Kind::Cruise => to,
             // Of a curve only the ends are known here.
-            Kind::Curve(_) | Kind::Ramp => Pace::of_square(between(from.squared, to.squared)),
+            Kind::Curve(_) | Kind::Ramp | Kind::Foot(_) => Pace::of_square(between(from.squared, to.squared)),
             Kind::Glide => Pace::of(between(from.speed.into(), to.speed.into()) as Speed),
         }
     }

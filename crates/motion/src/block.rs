@@ -103,7 +103,7 @@ pub(crate) fn curve(
         return single(start, direction, duration);
     }
     let [first, last] = ends.map(|pace| scale.quick_spacing(pace));
-    cubic(start, direction, count, [first, duration / u64::from(count), last])
+    cubic(start, direction, count, [first, duration >> count.trailing_zeros(), last])
 }
 
 /// One pulse.

@@ -11,6 +11,7 @@ mod block;
 pub mod closed_loop;
 pub mod compare;
 pub mod encoder;
+mod foot;
 pub mod homing;
 pub mod joystick;
 pub mod line;

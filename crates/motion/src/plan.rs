@@ -6,6 +6,7 @@
 //! against pulses, where the ceiling of a trapezoid is a straight line.
 
 use crate::block::{MAX_BLOCK, SHARE_BITS, block_length, longest};
+use crate::foot::{self, Key, TRIPLE};
 use crate::speed::{Growth, MAX_GROWTH, MAX_SPEED, Scale, Speed, SpeedSquared, root, square};
 use crate::train::SubTicks;
 
@@ -169,6 +170,8 @@ pub(crate) enum Kind {
     Cruise,
     /// A stretch of a course, in this time.
     Curve(SubTicks),
+    /// Pulses of a foot, the first one so many away from the slow end.
+    Foot(u64),
 }
 
 /// Pieces of a ramp that follow a first one and are like it: what was decided once holds for all of them.
@@ -178,17 +181,35 @@ pub(crate) struct Run {
     count: u32,
     /// What a piece adds to v².
     change: i64,
+    kind: Kind,
 }
 
 impl Run {
     /// Nothing follows.
-    pub const NONE: Self = Self { left: 0, count: 0, change: 0 };
+    pub const NONE: Self = Self { left: 0, count: 0, change: 0, kind: Kind::Ramp };
 
     /// The next piece, after this v².
     #[inline]
     pub fn next(&mut self, squared: SpeedSquared) -> Option<Piece> {
         self.left = self.left.checked_sub(1)?;
-        Some(Piece { count: self.count, end: squared.wrapping_add_signed(self.change), kind: Kind::Ramp })
+        let Self { count, change, kind, .. } = *self;
+        if let Kind::Foot(at) = &mut self.kind {
+            // After the last one it means nothing.
+            *at = if change < 0 { at.wrapping_sub(count.into()) } else { *at + u64::from(count) };
+        }
+        Some(Piece { count, end: squared.wrapping_add_signed(change), kind })
+    }
+
+    /// The first of some pulses on a foot, and the run of the others.
+    fn foot(key: &Key, at: u32, pulses: u32, squared: SpeedSquared) -> Option<(Piece, Self)> {
+        let growth = if key.rises { key.growth as i64 } else { -(key.growth as i64) };
+        let run =
+            |left, count: u32, kind| Self { left, count, change: growth.wrapping_mul(count.into()), kind };
+        // Those that are left over come first.
+        let first = (pulses - 1) % TRIPLE + 1;
+        let mut run_first = run(1, first, Kind::Foot(at.into()));
+        let piece = run_first.next(squared)?;
+        Some((piece, run((pulses - first) / TRIPLE, TRIPLE, run_first.kind)))
     }
 
     /// What may follow a piece that was chosen at this v² for a wish.
@@ -226,7 +247,7 @@ impl Run {
         if left == 0 || longest(limits.scale, last) < count {
             return Self::NONE;
         }
-        Self { left: left.min(u32::MAX.into()) as u32, count, change }
+        Self { left: left.min(u32::MAX.into()) as u32, count, change, kind }
     }
 }
 
@@ -250,10 +271,12 @@ pub(crate) struct Now {
     pub rest: u64,
 }
 
-/// The greatest speed with which a motion over so many pulses may begin: faster, it would not stop at its
-/// target, nor on the way back.
+/// The speed with which a motion over so many pulses begins: the start speed, unless it would not stop at its
+/// target then, nor on the way back.
 pub(crate) fn entry(limits: &Limits, pulses: u64) -> Speed {
-    root(limits.ceiling(Distance::Pulses(pulses << 32))).min(MAX_SPEED)
+    let start = limits.start.min(limits.top);
+    let ceiling = limits.ceiling(Distance::Pulses(pulses << 32));
+    if square(start) <= ceiling { start } else { root(ceiling) }
 }
 
 /// The next piece on the way to a target `pulses` ahead, the started one included, or `None` if the axis
@@ -287,6 +310,57 @@ pub(crate) fn brake(limits: &Limits, now: Now) -> Option<Piece> {
     let distance = Distance::Pulses((after << 32) + now.rest);
     let ceiling = limits.ceiling(distance);
     Some(piece(&limits, now, now.squared, Some((after + 1, distance, ceiling))))
+}
+
+/// Blocks are longer than a pulse where v² is more than so many times its growth, as a power of two.
+const SINGLE_BITS: u32 = SHARE_BITS + 1;
+
+/// How many times `growth` fits the room, `most` at the most; rarely by a division.
+fn within(most: u64, room: u64, growth: Growth) -> u64 {
+    match growth.checked_mul(most) {
+        Some(all) if all <= room => most,
+        _ => room / growth,
+    }
+}
+
+/// The next piece and those that follow it if they lie on a foot: pulses that would come one by one.
+#[inline]
+pub(crate) fn foot(limits: &Limits, now: Now, wish: Wish) -> Option<(Key, Piece, Run)> {
+    let Limits { scale, growth, fall, .. } = *limits;
+    let [start, stop] = [limits.start, limits.stop].map(square);
+    let Now { squared, rest } = now;
+    let (top, pulses) = match wish {
+        Wish::To(pulses) if limits.shape == Shape::Trapezoid => (square(limits.top), pulses),
+        Wish::To(_) => return None,
+        Wish::Speed(speed) => (square(speed), u64::MAX),
+        Wish::Brake => (0, squared.saturating_sub(stop) / fall),
+    };
+    if rest != 1 << 32 {
+        return None;
+    }
+    let down = (1..=foot::LENGTH.into()).contains(&pulses)
+        && u128::from(squared) == u128::from(stop) + u128::from(fall) * u128::from(pulses)
+        && squared >> SINGLE_BITS < fall;
+    let (key, at, pulses) = if down {
+        (Key { scale, slow: stop, growth: fall, rises: false }, pulses as u32 - 1, pulses)
+    } else if squared == start && squared < top {
+        let distance = if pulses == u64::MAX { Distance::Endless } else { Distance::Pulses(pulses << 32) };
+        let most = pulses.min(foot::LENGTH.into());
+        let most = within(most, top - squared, growth);
+        // With every pulse v² rises and the ceiling comes down.
+        let most =
+            within(most, limits.ceiling(distance).saturating_sub(squared), growth.saturating_add(fall));
+        let single = (growth.saturating_mul(1 << SINGLE_BITS) - 1).saturating_sub(squared);
+        (Key { scale, slow: start, growth, rises: true }, 0, within(most, single, growth))
+    } else {
+        return None;
+    };
+    // Three of the slowest pulses must fit a train.
+    if pulses == 0 || longest(scale, key.slow) < TRIPLE {
+        return None;
+    }
+    let (piece, run) = Run::foot(&key, at, pulses as u32, squared)?;
+    Some((key, piece, run))
 }
 
 /// `growth` over a part of a pulse in 2⁻³².

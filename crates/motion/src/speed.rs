@@ -106,6 +106,12 @@ impl Pace {
         Self { speed, squared: square(speed), inverse: (1 << 63) / speed as u64 }
     }
 
+    /// 2⁶³ / v, 0 for standstill.
+    #[inline]
+    pub const fn inverse(self) -> u64 {
+        self.inverse
+    }
+
     /// The pace of a square that is not 0.
     pub fn of_square(squared: SpeedSquared) -> Self {
         Self { squared, ..Self::of(root(squared)) }

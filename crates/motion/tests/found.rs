@@ -62,14 +62,16 @@ fn a_soft_approach_from_above_the_top_speed_keeps_the_acceleration() {
     axis.advance(147_587, |_| {});
     axis.set_goal(Goal::Position(axis.position() - 2));
     let mut fell = axis.speed();
+    let mut steps = axis.steps();
     while axis.is_moving() && axis.direction() == Direction::Negative {
         let Some(wake) = axis.wake() else { break };
         axis.advance(wake, |_| {});
         let squares = [fell, axis.speed()].map(|speed| u64::from(speed).pow(2));
         // Down from the stop speed at once, and otherwise by 2a a pulse.
-        let least = squares[0].saturating_sub(soft.growth + u64::from(soft.stop).pow(2) + (1 << 32));
+        let fall = soft.fall * (axis.steps() - steps);
+        let least = squares[0].saturating_sub(fall + u64::from(soft.stop).pow(2) + (1 << 32));
         assert!(squares[1] >= least, "{squares:?}");
-        fell = axis.speed();
+        (fell, steps) = (axis.speed(), axis.steps());
     }
 }
 

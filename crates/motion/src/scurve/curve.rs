@@ -1,6 +1,6 @@
 //! The curve between two speeds, as a function of the way from its slow end.
 
-use crate::speed::{Growth, Scale, Speed, root, square};
+use crate::speed::{Growth, Pace, Scale, Speed, root, square};
 use crate::train::FRACTION_BITS;
 
 /// A way in 2⁻³² pulses.
@@ -14,6 +14,12 @@ pub const FINE_BITS: u32 = 24;
 
 /// No curve takes longer than 2 to this many clocks; one that should is as steep as it needs to be.
 const LONGEST_BITS: u32 = 39;
+
+/// The most steps of Newton's method from a place nearby.
+const STEPS: u32 = 5;
+
+/// A step that is the last, 1/16 clock: nearby the next one would be less than 1/64 of it.
+const LAST: Fine = 1 << (FINE_BITS - 4);
 
 /// Fraction bits of the share of a bend's time.
 const SHARE_BITS: u32 = 62;
@@ -113,6 +119,26 @@ impl Curve {
         2 * self.bend_time + self.straight_time
     }
 
+    /// Way and speed, with its fraction, at a time from the slow end.
+    #[inline]
+    fn after(&self, time: Fine) -> (Way, u64) {
+        let [foot, straight, shoulder] = self.ways;
+        if time <= self.bend_time {
+            let (base, bent) = (fine(self.low), self.bent(time));
+            return (self.along(time, u128::from(base + bent / 3)), base + bent);
+        }
+        let above = time - self.bend_time;
+        if above < self.straight_time {
+            let base = fine(self.straight_ends()[0]);
+            let gained = ((u128::from(above) * u128::from(self.growth)) >> (self.scale.bits() + 1)) as u64;
+            return (foot + self.along(above, u128::from(base + gained / 2)), base + gained);
+        }
+        let left = self.bend_time - (above - self.straight_time).min(self.bend_time);
+        let (base, bent) = (fine(self.high), self.bent(left));
+        let way = foot + straight + shoulder - self.along(left, u128::from(base - bent / 3)).min(shoulder);
+        (way, base - bent)
+    }
+
     /// The place at a way from the slow end.
     pub fn at(&self, way: Way) -> Point {
         let [foot, straight, shoulder] = self.ways;
@@ -126,6 +152,37 @@ impl Curve {
         let left = shoulder.saturating_sub(above - straight);
         let Point { time, speed } = self.on_shoulder(left);
         Point { time: self.time() - time, speed }
+    }
+
+    /// The same, from a place nearby with its way and pace: Newton's method, also for the reciprocal of the
+    /// speed, so that nothing is divided.
+    #[inline]
+    pub fn near(&self, way: Way, from: Way, time: Fine, pace: Pace) -> Point {
+        let inverse = u128::from(pace.inverse());
+        let shift = 63 + FRACTION_BITS - FINE_BITS - self.scale.bits();
+        let time_for = |way: Way, inverse: u128| ((way as i64 as i128 * inverse as i128) >> shift) as i64;
+        let mut time = time;
+        let mut step = time_for(way.wrapping_sub(from), inverse);
+        for _ in 0..STEPS {
+            time = time.wrapping_add_signed(step);
+            if time > self.time() {
+                break;
+            }
+            let (reached, speed) = self.after(time);
+            let ratio = (u128::from(speed) * inverse) >> FINE_BITS;
+            // A speed that has changed by more than an eighth is not nearby.
+            if ratio.abs_diff(1 << 63) > 1 << 60 {
+                break;
+            }
+            step = time_for(way.wrapping_sub(reached), (inverse * ((1 << 64) - ratio)) >> 63);
+            if step.unsigned_abs() <= LAST {
+                return Point {
+                    time: time.saturating_add_signed(step),
+                    speed: (speed >> FINE_BITS) as Speed,
+                };
+            }
+        }
+        self.at(way)
     }
 
     /// The span of speed that a time takes from an end of the curve, with fraction.
