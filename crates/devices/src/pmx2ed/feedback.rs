@@ -1,7 +1,7 @@
 //! Encoders and StepNLoop (manual, sections 7.4 and 7.17).
 
 use super::Pmx2ed;
-use super::motion::Task;
+use super::motion::{Halt, Task};
 use super::table::{AXIS_COUNT, Id};
 use crate::ascii::Refusal;
 use crate::board::Board;
@@ -136,11 +136,10 @@ impl<F: Flash> Pmx2ed<F> {
         if !failed {
             return;
         }
-        if let Some(line) = self.line.as_mut().filter(|_| carried) {
-            line.halt();
-        } else if !matches!(station.task, Task::Rest) {
+        if !matches!(station.task, Task::Rest | Task::Line { .. }) {
             station.task = Task::Stop;
         }
+        self.stop_line(axis, Halt::AtOnce);
         self.settle_line();
         self.settle();
         self.program_error(axis);

@@ -24,6 +24,16 @@ pub enum Halt {
     Ramp,
 }
 
+impl Halt {
+    /// What StepNLoop calls it.
+    const fn motion(self) -> closed_loop::Motion {
+        match self {
+            Self::AtOnce => closed_loop::Motion::Abort,
+            Self::Ramp => closed_loop::Motion::Stop,
+        }
+    }
+}
+
 /// What an axis was told to do.
 #[derive(Clone, Debug)]
 pub enum Task {
@@ -277,35 +287,34 @@ impl<F: Flash> Pmx2ed<F> {
     /// `STOP`, `ABORT`: one axis with those that are interpolated with it, or all.
     pub fn stop(&mut self, axis: Option<usize>, halt: Halt) {
         for axis in (0..AXIS_COUNT).filter(|&other| axis.is_none_or(|axis| axis == other)) {
-            if let Some(line) = self.line.as_mut().filter(|line| line.involves(axis)) {
-                match halt {
-                    Halt::AtOnce => line.halt(),
-                    Halt::Ramp => line.stop(),
-                }
-            }
-            if !self.is_moving(axis) && self.is_done(axis) {
+            if self.stop_line(axis, halt) || self.is_done(axis) {
                 continue;
             }
-            let joystick = self.joystick_on(axis);
-            let station = &mut self.stations[axis];
-            let motion = match halt {
-                Halt::AtOnce => closed_loop::Motion::Abort,
-                Halt::Ramp => closed_loop::Motion::Stop,
-            };
-            station.closed.begin(&self.axes[axis], motion);
+            let (station, unit) = (&mut self.stations[axis], &mut self.axes[axis]);
+            station.closed.begin(unit, halt.motion());
             match halt {
-                Halt::AtOnce => self.axes[axis].halt(),
-                Halt::Ramp => {
-                    let way = self.axes[axis].direction();
-                    self.axes[axis].set_goal(Goal::Speed(way, 0));
-                }
+                Halt::AtOnce => unit.halt(),
+                Halt::Ramp => unit.set_goal(Goal::Speed(unit.direction(), 0)),
             }
-            if !matches!(station.task, Task::Line { .. }) && !joystick {
+            if !matches!(station.task, Task::Joystick) {
                 station.task = Task::Stop;
             }
         }
         self.settle_line();
         self.settle();
+    }
+
+    /// Stops the line that an axis follows, if there is one, and with it all that follow it.
+    pub fn stop_line(&mut self, axis: usize, halt: Halt) -> bool {
+        let Some(line) = self.line.as_mut().filter(|line| line.involves(axis)) else { return false };
+        match halt {
+            Halt::AtOnce => line.halt(),
+            Halt::Ramp => line.stop(),
+        }
+        for member in (0..AXIS_COUNT).filter(|&member| line.involves(member)) {
+            self.stations[member].closed.begin(&self.axes[member], halt.motion());
+        }
+        true
     }
 
     /// `SSPD`: another speed for a motion that is on.
@@ -389,6 +398,9 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// Lets a homing routine take notice of inputs and axis.
     pub fn run_homing(&mut self, axis: usize, board: &mut dyn Board) {
+        if !matches!(self.stations[axis].task, Task::Home(_)) {
+            return;
+        }
         let [plus, minus] = self.limits_on(axis);
         let inputs = Inputs {
             home: self.home_on(axis, board),
@@ -436,19 +448,19 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// The axis has run into its limit: it stops at once, and so does a line that it is part of.
     fn limit_hit(&mut self, axis: usize, way: Direction) {
-        if let Some(line) = self.line.as_mut().filter(|line| line.involves(axis)) {
-            line.halt();
-        }
-        let station = &mut self.stations[axis];
-        self.axes[axis].halt();
-        if !matches!(station.task, Task::Line { .. } | Task::Joystick) {
+        let ignored = self.memory.cells.get(Id::IgnoreErrors) != 0;
+        let ratio = self.ratio(axis);
+        let on_line = self.stop_line(axis, Halt::AtOnce);
+        let (station, unit) = (&mut self.stations[axis], &mut self.axes[axis]);
+        unit.halt();
+        if !on_line && !matches!(station.task, Task::Joystick) {
             station.task = Task::Stop;
         }
-        if self.memory.cells.get(Id::IgnoreErrors) == 0 {
-            let ratio = self.ratio(axis);
-            let station = &mut self.stations[axis];
+        if ignored {
+            station.closed.begin(unit, Halt::AtOnce.motion());
+        } else {
             station.errors[side(way)] = true;
-            station.closed.limit(&self.axes[axis], ratio);
+            station.closed.limit(unit, ratio);
             self.program_error(axis);
         }
     }

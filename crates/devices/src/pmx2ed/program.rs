@@ -292,9 +292,9 @@ impl<F: Flash> Pmx2ed<F> {
         self.programs.threads[number].thread.counter().into()
     }
 
-    /// A program, or the host's thread, for views.
+    /// A program, for views.
     pub fn program_state(&self, number: usize) -> Option<ProgramState> {
-        let thread = &self.programs.threads.get(number)?.thread;
+        let thread = &self.programs.threads[..PROGRAMS].get(number)?.thread;
         let run = match thread.state() {
             State::Idle => ProgramRun::Idle,
             State::Running => ProgramRun::Running,

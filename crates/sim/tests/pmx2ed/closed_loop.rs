@@ -127,6 +127,18 @@ fn a_stall_is_an_error_until_it_is_cleared() {
     rig.device.set_load("X", 2.0).unwrap();
     assert_eq!(settled(&mut rig), 10);
     assert!(!rig.moves("X") && !rig.moves("Y"));
+    // The other one was only stopped.
+    rig.ok("CLRX SLY=1");
+    rig.device.set_load("X", 0.0).unwrap();
+    for stop in ["STOPX", "ABORTX"] {
+        rig.ok("I0:0");
+        rig.pass_ms(200);
+        rig.ok(stop);
+        rig.until_rest();
+        rig.pass_ms(100);
+        assert_eq!((rig.get("SLSX"), rig.get("SLSY")), (0, 0), "{stop}");
+        assert_ne!(rig.get("EY"), 0);
+    }
 }
 
 #[test]
