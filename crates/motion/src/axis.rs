@@ -260,7 +260,7 @@ impl Axis {
         self.now = now;
         while let Some(leg) = &self.leg {
             if now < leg.last.ticks {
-                if leg.train.edge(1) <= now {
+                if leg.train.first_slot() <= now {
                     self.advance_inside(now, emit);
                 }
                 return;
@@ -489,7 +489,7 @@ impl Axis {
     #[inline(never)]
     fn go_on_foot(&mut self, at: u32, count: u32, end: SpeedSquared) {
         let foot = &mut self.feet[usize::from(end > self.pace.squared)];
-        let (train, span, end) = foot.train(at, count, self.since, self.direction, self.pace);
+        let (train, span, end) = foot.train(at, count, self.since, self.direction, &self.pace);
         let last = self.since.after(span);
         self.leg = Some(Leg { train, end, last, kind: Kind::Foot(at.into()) });
     }

@@ -59,19 +59,19 @@ impl Foot {
         count: u32,
         start: Moment,
         direction: Direction,
-        from: Pace,
+        from: &Pace,
     ) -> (Train, SubTicks, Pace) {
         let away = if self.key.rises { 1 } else { u32::MAX };
-        let first = self.step(at, from);
+        let first = self.step(at, |_| *from);
         let (mut last, mut span, mut add, mut jerk) = (at, first, 0, 0);
         if count > 1 {
             last = last.wrapping_add(away);
-            let second = self.step(last, self.ends[at as usize]);
+            let second = self.step(last, |foot| foot.ends[at as usize]);
             (span, add) = (span + second, second.wrapping_sub(first) as i64);
             if count > 2 {
                 let before = last;
                 last = last.wrapping_add(away);
-                let third = self.step(last, self.ends[before as usize]);
+                let third = self.step(last, |foot| foot.ends[before as usize]);
                 (span, jerk) = (span + third, third.wrapping_sub(second) as i64 - add);
             }
         }
@@ -79,10 +79,11 @@ impl Foot {
         (train, span, self.ends[last as usize])
     }
 
-    /// The spacing of a pulse.
+    /// The spacing of a pulse; the pace with which it begins is asked for only if it must be learnt.
     #[inline(always)]
-    fn step(&mut self, at: u32, from: Pace) -> SubTicks {
+    fn step(&mut self, at: u32, from: impl FnOnce(&Self) -> Pace) -> SubTicks {
         if self.known >> at & 1 == 0 {
+            let from = from(self);
             self.learn(at, from);
         }
         self.spacings[at as usize]
@@ -117,7 +118,7 @@ mod tests {
                 for count in 1..=TRIPLE.min(if rises { LENGTH - at } else { at + 1 }) {
                     let pace =
                         |number: u32| paces[if rises { at + number } else { at + 1 - number } as usize];
-                    let (train, span, end) = foot.train(at, count, start, Direction::Positive, pace(0));
+                    let (train, span, end) = foot.train(at, count, start, Direction::Positive, &pace(0));
                     let mut moment = start;
                     for number in 1..=count {
                         moment =
@@ -145,7 +146,7 @@ mod tests {
         let from = Pace::of_square(key.slow);
         let mut end = |key| {
             foot.suit(key);
-            foot.train(0, 1, Moment::at(0), Direction::Positive, from).2.squared
+            foot.train(0, 1, Moment::at(0), Direction::Positive, &from).2.squared
         };
         assert_eq!(end(key), (1 << 40) + (1 << 36));
         assert_eq!(end(Key { growth: 1 << 37, ..key }), (1 << 40) + (1 << 37));

@@ -9,6 +9,7 @@ use crate::axis::{Axis, Goal};
 use crate::plan::Limits;
 use crate::speed::Speed;
 use crate::train::{Direction, MAX_SLOTS, Ticks, Train};
+use core::hint::select_unpredictable;
 
 /// The way of the path that leads to the target: the one in which a distance may be 2³¹.
 const AHEAD: Direction = Direction::Negative;
@@ -193,9 +194,8 @@ impl Member {
 
     /// A mask for every few slots.
     fn follow_often(&mut self, train: Train, longest: u32, mut emit: impl FnMut(&Train)) {
-        let (whole, step) = (2 * i64::from(longest), 2 * i64::from(self.way));
-        // How far from the next middle: below 0.
-        let mut short = self.beyond as i64 - whole;
+        let (whole, step) = (2 * u64::from(longest), 2 * u64::from(self.way));
+        let mut beyond = self.beyond;
         let mut rest = Some(train);
         while let Some(train) = rest {
             let slots;
@@ -208,16 +208,14 @@ impl Member {
             };
             let mut mask = 0;
             for _ in 0..slots.count {
-                short += step;
-                // All ones if the middle is not reached: no branch to mispredict.
-                let missed = short >> 63;
-                short -= whole & !missed;
-                mask = mask << 1 | (missed + 1) as u64;
+                let missed = beyond < whole - step;
+                beyond = select_unpredictable(missed, beyond + step, beyond.wrapping_sub(whole - step));
+                mask = mask << 1 | u64::from(!missed);
             }
             if let Some(train) = slots.masked(mask.reverse_bits() >> (u64::BITS - slots.count)) {
                 emit(&train);
             }
         }
-        self.beyond = (short + whole) as u64;
+        self.beyond = beyond;
     }
 }

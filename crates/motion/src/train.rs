@@ -167,6 +167,12 @@ impl Train {
         self.moment(k).ticks
     }
 
+    /// The clock of the first slot, which is the first pulse of a plain train.
+    #[inline]
+    pub(crate) const fn first_slot(&self) -> Ticks {
+        self.start.after(self.interval).ticks
+    }
+
     /// The clock of the last pulse.
     pub const fn end(&self) -> Ticks {
         self.edge(self.count)
