@@ -221,3 +221,28 @@ fn lines_are_straight() {
         }
     }
 }
+
+/// Too long to look at every pulse: the points between trains, and the end.
+#[test]
+fn a_long_line_ends_where_it_should() {
+    let way = [-(1 << 27), (1 << 27) - 1, 12_345, 0];
+    let profile = Profile {
+        low_pps: 1000,
+        high_pps: 6_000_000,
+        acceleration_ms: 300,
+        deceleration_ms: 200,
+        s_curve: true,
+    };
+    let limits = profile.limits(pps::scale(profile.high_pps, CLOCK_HZ), CLOCK_HZ);
+    let mut axes = [(); AXES].map(|()| Axis::new(limits));
+    let mut line = Line::new(limits, way, 0, &mut axes);
+    let mut track = Track::new(way);
+    while let Some(wake) = line.wake(&axes) {
+        line.advance(wake, &mut axes, |axis, train| {
+            track.at[axis] += train.direction.sign() * i64::from(train.count);
+        });
+        track.check();
+    }
+    assert_eq!(track.at, way.map(i64::from));
+    assert_eq!(axes.map(|axis| axis.position()), way);
+}
