@@ -66,6 +66,17 @@ fn everything_can_be_said() {
 fn defaults_belong_to_the_model() {
     assert_eq!(AxisConfig::of_model("test").negative_limit, -1_000_000);
     assert_eq!(AxisConfig::of_model("pd42-1140").positive_limit, 10_000_000);
+    let usual = AxisConfig {
+        negative_limit: -1_000_000,
+        positive_limit: 1_000_000,
+        home: [-200, 0],
+        index_every: 4000,
+        encoder_ratio: 1.0,
+        backlash: 0,
+        load: 0.0,
+        hard_stops: None,
+    };
+    assert_eq!(AxisConfig::of_model("pmx-2ed"), usual);
     assert_eq!(DeviceConfig::new(&MODELS[0]).axis("0"), AxisConfig::of_model("test"));
 }
 
@@ -194,4 +205,21 @@ fn the_examples_can_be_read() {
         names.push(path);
     }
     assert!(names.len() >= 3, "{names:?}");
+}
+
+/// With the models that there are.
+#[test]
+fn a_device_is_set_only_what_it_has() {
+    let check = |entries: &str, expected: &str| {
+        let text = format!("[[device]]\nmodel = \"pmx-2ed\"\n{entries}");
+        assert_eq!(Bench::parse(&text, "bench.toml").unwrap_err().to_string(), expected);
+    };
+    check("supply = 24", "bench.toml:3: device.supply: pmx-2ed has no pin that measures this");
+    check("temperature = 24", "bench.toml:3: device.temperature: pmx-2ed has no pin that measures this");
+    check("[device.axis.0]", "bench.toml:3: device.axis.0: unknown axis `0`, pmx-2ed has: X, Y");
+    let both = "[device.axis.X]\nhome = [5, 6]\n[device.axis.Y]\nbacklash = 2\n";
+    let bench = Bench::parse(&format!("[[device]]\nmodel = \"pmx-2ed\"\n{both}"), "bench.toml").unwrap();
+    let device = &bench.devices[0];
+    assert_eq!((device.axis("X").home, device.axis("X").backlash), ([5, 6], 0));
+    assert_eq!((device.axis("Y").home, device.axis("Y").backlash), ([-200, 0], 2));
 }

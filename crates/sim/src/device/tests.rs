@@ -316,6 +316,42 @@ fn the_state_is_what_people_ask_for() {
     assert_eq!(state, expected);
 }
 
+/// A real controller with two axes, on machines that differ.
+#[test]
+fn each_axis_has_its_machine() {
+    let mut config = DeviceConfig::new(devices::model("pmx-2ed").unwrap());
+    let y = AxisConfig { positive_limit: 300, encoder_ratio: -2.0, index_every: 100, ..config.axis("Y") };
+    config.axes.insert("Y".into(), y);
+    let mut device = VirtualDevice::new(&config, 1);
+    let second = Ticks::from(device.clock_hz());
+    let send = |device: &mut VirtualDevice, line: &[u8]| {
+        device.receive(Port::Usb, &[line, b"\r"].concat());
+        let replies: Vec<_> = device.drain_sent().flat_map(|sent| sent.bytes).collect();
+        assert_eq!(String::from_utf8(replies).unwrap(), "OK\r");
+    };
+    for line in [&b"EO=3"[..], b"HSPD=5000", b"X500", b"Y500"] {
+        send(&mut device, line);
+    }
+    device.advance(2 * second);
+    let place = |device: &mut VirtualDevice, axis| (device.axis(axis).position, device.axis(axis).encoder);
+    assert_eq!((place(&mut device, 0), place(&mut device, 1)), ((500, 500), (300, -600)));
+    let pin = |device: &VirtualDevice, name: &str| device.read_pin(name).unwrap();
+    let (on, off) = (PinValue::Level(true), PinValue::Level(false));
+    assert_eq!((pin(&device, "+LX"), pin(&device, "+LY")), (off, on));
+    assert_eq!((pin(&device, "ZX"), pin(&device, "ZY")), (off, on));
+    assert_eq!((pin(&device, "AI1"), pin(&device, "EO2")), (PinValue::Number(2500.0), on));
+    device.push("X", -600).unwrap();
+    device.lose("Y", 40).unwrap();
+    send(&mut device, b"CLRY");
+    send(&mut device, b"Y200");
+    device.advance(device.now() + 2 * second);
+    assert_eq!((place(&mut device, 0), place(&mut device, 1)), ((500, -100), (200, -480)));
+    assert_eq!((pin(&device, "HX"), pin(&device, "HY")), (on, off));
+    let state = device.state();
+    assert_eq!(state.axes.keys().collect::<Vec<_>>(), [&"X", &"Y"]);
+    assert!(state.programs.iter().all(|program| program.state == "idle"));
+}
+
 /// One call of a user.
 #[derive(Clone, Debug)]
 enum Call {

@@ -1,4 +1,4 @@
-//! Programs on the real PD42-1140.
+//! Programs on the real controllers.
 
 use super::*;
 use crate::{
@@ -127,4 +127,50 @@ fn a_run_is_recorded() {
     std::fs::remove_dir_all(directory).unwrap();
     let error = record::create(std::path::Path::new("a.xyz"), &module.record_info()).err().unwrap();
     assert_eq!(error.to_string(), "a.xyz: no recording format with this extension, known: .csv, .svg");
+}
+
+fn stage() -> VirtualDevice {
+    VirtualDevice::new(&DeviceConfig::new(devices::model("pmx-2ed").unwrap()), 1)
+}
+
+fn ascript(source: &str) -> Program {
+    let compilation = ::ascript::compile("test.prg", source.as_bytes(), &::ascript::dialect::PERFORMAX_2);
+    Program::Ascript(compilation.code.unwrap_or_else(|| panic!("{:?}", compilation.diagnostics)).lines)
+}
+
+#[test]
+fn all_programs_of_a_file_run() {
+    let both = ascript("PRG 0\nEO=3\nX4000\nWAITX\nEND\nPRG 1\nDELAY=50\nY-300\nWAITY\nV9=7\nEND\n");
+    let mut device = stage();
+    let result = run(&mut device, &both, &RunOptions::default(), |_| ()).unwrap();
+    assert_eq!((result.stop_reason, result.instructions), (StopReason::Ended, 11));
+    let axis = |name: &str| (result.axes[name].position, result.axes[name].encoder, result.axes[name].steps);
+    assert_eq!((axis("X"), axis("Y")), ((4000, 4000, 4000), (-300, -300, 300)));
+    assert_eq!(exchange(&mut device, b"V9\r").unwrap(), b"7\r");
+    // One program alone, and again on the same controller, in place of the old ones.
+    let one = ascript("INC\nX-1000\nWAITX\n");
+    for position in [3000, 2000] {
+        let result = run(&mut device, &one, &RunOptions::default(), |_| ()).unwrap();
+        assert_eq!((result.axes["X"].position, result.axes["Y"].position), (position, -300));
+    }
+}
+
+#[test]
+fn a_program_that_fails_ends_the_run() {
+    let source = "EO=1\nHSPD=5000\nJOGX+\nWAITX\nEND\nPRG 1\nWHILE 1=1\nENDWHILE\nEND\n";
+    let input = Input { pin: "+LX".into(), value: Some(PinValue::Level(true)) };
+    let options = RunOptions { for_seconds: Some(10.0), inputs: vec![TimedInput { seconds: 0.5, input }] };
+    let result = run(&mut stage(), &ascript(source), &options, |_| ()).unwrap();
+    assert_eq!(result.stop_reason, StopReason::Error);
+    assert!((0.5..0.51).contains(&result.device_seconds), "{}", result.device_seconds);
+}
+
+#[test]
+fn lines_that_a_controller_refuses() {
+    let too_long = Program::Ascript(vec![::ascript::Line::End; 1276]);
+    let refused = run(&mut stage(), &too_long, &RunOptions::default(), |_| ());
+    let expected = "the device answers `?Index out of Range` to `SA1275=END`";
+    assert_eq!(refused.unwrap_err().to_string(), expected);
+    let foreign = run(&mut stage(), &there_and_back(), &RunOptions::default(), |_| ());
+    assert_eq!(foreign.unwrap_err().to_string(), "a pmx-2ed has programs of another language");
 }
