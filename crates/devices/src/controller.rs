@@ -141,6 +141,10 @@ pub trait Controller {
     /// Bytes arrive at a port.
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board);
 
+    /// Whoever was sending at a port has gone: what he had begun is forgotten, where a pause does not say so
+    /// anyway.
+    fn hang_up(&mut self, _port: Port) {}
+
     /// An input pin changes, or an index mark passes (`on` when it is entered).
     fn input(&mut self, pin: usize, on: bool, board: &mut dyn Board);
 

@@ -65,6 +65,14 @@ impl Unit {
         });
     }
 
+    /// A client leaves. What it had begun to send is forgotten, unless others have spoken since.
+    pub fn hang_up(&self, port: Port, client: &Arc<dyn Sink>) {
+        let mut live = self.catch_up();
+        if live.spoke_last(port, client) {
+            live.device.hang_up(port);
+        }
+    }
+
     /// The device, come to the present time.
     pub fn with<T>(&self, act: impl FnOnce(&mut VirtualDevice) -> T) -> T {
         let mut live = self.catch_up();
@@ -98,11 +106,18 @@ impl Unit {
 impl Live {
     /// From now on this client gets what the device sends by itself through the port.
     fn speaks(&mut self, port: Port, client: &Arc<dyn Sink>) {
+        if self.spoke_last(port, client) {
+            return;
+        }
         match self.speakers.iter_mut().find(|(other, _)| *other == port) {
-            Some((_, speaker)) if std::ptr::addr_eq(speaker.as_ptr(), Arc::as_ptr(client)) => {}
             Some((_, speaker)) => *speaker = Arc::downgrade(client),
             None => self.speakers.push((port, Arc::downgrade(client))),
         }
+    }
+
+    fn spoke_last(&self, port: Port, client: &Arc<dyn Sink>) -> bool {
+        let speaker = self.speakers.iter().find(|(other, _)| *other == port);
+        speaker.is_some_and(|(_, speaker)| std::ptr::addr_eq(speaker.as_ptr(), Arc::as_ptr(client)))
     }
 
     /// Takes out what the device sent; what `answer` gives back goes to the last speaker.

@@ -2,17 +2,13 @@
 
 mod common;
 
-use common::{PATIENCE, check, connect, device, directory, eventually, serve};
-use rustix::{
-    fs::{Mode, OFlags},
-    termios::{LocalModes, OptionalActions, OutputModes},
-};
+use common::{Serial, check, connect, device, directory, eventually, free_address, serve};
+use rustix::termios::{LocalModes, OptionalActions, OutputModes};
 use std::{
-    fs::{self, File},
-    io::{ErrorKind, Read, Write},
+    fs,
+    io::{Read, Write},
     net::Shutdown,
     os::unix::fs::symlink,
-    path::Path,
     time::{Duration, Instant},
 };
 
@@ -59,9 +55,7 @@ fn the_pause_before_a_reply_is_kept() {
 
 #[test]
 fn all_devices_of_a_bus_hear_and_answer() {
-    // A port of its own for each device is what 0 means, so a bus needs a real one.
-    let free = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
-    let bus = format!("tcp:127.0.0.1:{free}");
+    let bus = format!("tcp:{}", free_address());
     let server = serve(vec![device("a", &[&bus]), device("b", &[&bus, "tcp:127.0.0.1:0"])]);
     let ready = server.ready();
     assert_eq!(ready.iter().map(|(name, _)| name.as_str()).collect::<Vec<_>>(), ["a", "b", "b"]);
@@ -122,40 +116,6 @@ fn a_client_that_half_closes_still_gets_its_reply() {
     client.read_to_end(&mut all).unwrap();
     assert_eq!(all, b"abc");
     server.stop().unwrap();
-}
-
-/// A terminal as a serial library opens it; reads give up after a while.
-struct Serial(File);
-
-impl Serial {
-    fn open(path: &Path) -> std::io::Result<Self> {
-        let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK;
-        Ok(Self(rustix::fs::open(path, flags, Mode::empty())?.into()))
-    }
-}
-
-impl Read for &Serial {
-    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
-        let start = Instant::now();
-        loop {
-            match (&self.0).read(bytes) {
-                Err(error) if error.kind() == ErrorKind::WouldBlock && start.elapsed() < PATIENCE => {
-                    std::thread::sleep(Duration::from_millis(1));
-                }
-                result => return result,
-            }
-        }
-    }
-}
-
-impl Write for &Serial {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        (&self.0).write(bytes)
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        Ok(())
-    }
 }
 
 #[test]

@@ -2,36 +2,13 @@
 
 mod common;
 
-use common::{PATIENCE, TOKEN, device, eventually, serve_http};
+use common::{PATIENCE, TOKEN, call, device, eventually, raw, serve_http};
 use serde_json::{Value, json};
 use std::{
-    io::{Read, Write},
-    net::{SocketAddr, TcpStream},
+    net::TcpStream,
     time::{Duration, Instant},
 };
 use tungstenite::{client::IntoClientRequest, http::header};
-
-/// Sends a request as it stands, and gives status and body.
-fn raw(address: SocketAddr, request: &str) -> (u16, String) {
-    let mut stream = TcpStream::connect(address).unwrap();
-    stream.set_read_timeout(Some(PATIENCE)).unwrap();
-    stream.write_all(request.as_bytes()).unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
-    let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-    (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
-}
-
-/// A request with the token.
-fn call(address: SocketAddr, method: &str, path: &str, body: &str) -> (u16, Value) {
-    let request = format!(
-        "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {TOKEN}\r\nConnection: close\r\n\
-         Content-Length: {}\r\n\r\n{body}",
-        body.len()
-    );
-    let (status, body) = raw(address, &request);
-    (status, if body.is_empty() { Value::Null } else { serde_json::from_str(&body).unwrap() })
-}
 
 #[test]
 fn devices_and_their_state() {

@@ -265,6 +265,10 @@ impl<F: Flash> Controller for Pmx2ed<F> {
         self.react(board);
     }
 
+    fn hang_up(&mut self, port: Port) {
+        self.wire.hang_up(port);
+    }
+
     fn input(&mut self, number: usize, on: bool, board: &mut dyn Board) {
         if self.dead {
             return;

@@ -26,6 +26,11 @@ impl Wire {
         Self { receivers: [Receiver::new(), Receiver::new()], address, heard_at: 0, timed_out: false }
     }
 
+    /// Forgets a command that has begun at a port.
+    pub fn hang_up(&mut self, port: Port) {
+        self.receivers[receiver(port)].clear();
+    }
+
     /// A host was heard, or nobody is missing one any more.
     pub const fn heard(&mut self, now: Ticks) {
         self.heard_at = now;
@@ -36,7 +41,7 @@ impl Wire {
 impl<F: Flash> Pmx2ed<F> {
     /// A byte arrives at a serial port. On RS-485 only commands with the address count.
     pub fn take_byte(&mut self, port: Port, byte: u8, board: &mut dyn Board) {
-        let receiver = usize::from(port == Port::Rs485);
+        let receiver = receiver(port);
         // The receiver is copied back, so that the line may borrow it while the command acts.
         let mut taken = core::mem::take(&mut self.wire.receivers[receiver]);
         if let Some(message) = taken.push(byte) {
@@ -69,6 +74,14 @@ impl<F: Flash> Pmx2ed<F> {
         if self.time_out_due().is_some_and(|due| due <= self.now) {
             self.wire.timed_out = true;
         }
+    }
+}
+
+/// Which receiver is a port's.
+const fn receiver(port: Port) -> usize {
+    match port {
+        Port::Rs485 => 1,
+        Port::Usb | Port::Can => 0,
     }
 }
 

@@ -29,12 +29,26 @@ pub(crate) struct Client<'a> {
     sent: Vec<Sent>,
 }
 
+impl Drop for Client<'_> {
+    fn drop(&mut self) {
+        for (unit, port) in &self.line.stations {
+            unit.hang_up(*port, &self.sink);
+        }
+    }
+}
+
 impl Client<'_> {
     /// Gives bytes to every device on the line and their replies to `reply`, after the pause that the
     /// device was told to keep. Stops, and says so, when `reply` fails.
     pub fn exchange(&mut self, bytes: &[u8], mut reply: impl FnMut(&[u8]) -> bool) -> bool {
-        for (unit, port) in &self.line.stations {
-            unit.exchange(*port, bytes, &self.sink, &mut self.sent);
+        // Of what comes in one go on a serial bus every device hears each byte before the next one, so that
+        // their replies come in the order of the questions.
+        let stations = &self.line.stations;
+        let is_serial_bus = stations.iter().filter(|(_, port)| *port == Port::Rs485).count() > 1;
+        for part in bytes.chunks(if is_serial_bus { 1 } else { bytes.len().max(1) }) {
+            for (unit, port) in stations {
+                unit.exchange(*port, part, &self.sink, &mut self.sent);
+            }
         }
         self.sent.drain(..).all(|sent| {
             if !sent.pause.is_zero() {

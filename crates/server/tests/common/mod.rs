@@ -4,12 +4,15 @@
 use devices::{
     AxisState, Board, Controller, Model, Pin, PinKind, Port, ProgramRun, ProgramState, Wiring, flash::Flash,
 };
+use rustix::fs::{Mode, OFlags};
+use serde_json::Value;
 use server::{Server, Settings, Token};
 use sim::DeviceConfig;
 use std::{
-    io::{Read, Write},
+    fs::File,
+    io::{ErrorKind, Read, Write},
     net::{SocketAddr, TcpStream},
-    path::PathBuf,
+    path::{Path, PathBuf},
     sync::atomic::{AtomicU32, Ordering},
     time::{Duration, Instant},
 };
@@ -132,6 +135,17 @@ pub fn device(name: &str, endpoints: &[&str]) -> DeviceConfig {
     DeviceConfig { name: name.into(), listen, ..DeviceConfig::new(&PARROT) }
 }
 
+/// A PMX-2ED-SA with these endpoints.
+pub fn performax(name: &str, endpoints: &[&str]) -> DeviceConfig {
+    let model = devices::model("pmx-2ed").unwrap();
+    DeviceConfig { model, ..device(name, endpoints) }
+}
+
+/// An address that nobody listens at: port 0 would be an endpoint of its own for each device.
+pub fn free_address() -> String {
+    std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string()
+}
+
 /// Settings for these devices, without HTTP and state.
 pub fn settings(devices: Vec<DeviceConfig>) -> Settings {
     Settings { devices, http: None, speed: 1.0, state: None }
@@ -185,4 +199,61 @@ pub fn directory() -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&path).unwrap();
     path
+}
+
+/// A terminal as a serial library opens it; reads give up after a while.
+pub struct Serial(pub File);
+
+impl Serial {
+    /// Opens it.
+    pub fn open(path: &Path) -> std::io::Result<Self> {
+        let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::NONBLOCK;
+        Ok(Self(rustix::fs::open(path, flags, Mode::empty())?.into()))
+    }
+}
+
+impl Read for &Serial {
+    fn read(&mut self, bytes: &mut [u8]) -> std::io::Result<usize> {
+        let start = Instant::now();
+        loop {
+            match (&self.0).read(bytes) {
+                Err(error) if error.kind() == ErrorKind::WouldBlock && start.elapsed() < PATIENCE => {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+                result => return result,
+            }
+        }
+    }
+}
+
+impl Write for &Serial {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        (&self.0).write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Sends a request as it stands, and gives status and body.
+pub fn raw(address: SocketAddr, request: &str) -> (u16, String) {
+    let mut stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    stream.write_all(request.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    let (head, body) = answer.split_once("\r\n\r\n").unwrap();
+    (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
+}
+
+/// A request with the token.
+pub fn call(address: SocketAddr, method: &str, path: &str, body: &str) -> (u16, Value) {
+    let request = format!(
+        "{method} {path} HTTP/1.1\r\nHost: {address}\r\nAuthorization: Bearer {TOKEN}\r\nConnection: close\r\n\
+         Content-Length: {}\r\n\r\n{body}",
+        body.len()
+    );
+    let (status, body) = raw(address, &request);
+    (status, if body.is_empty() { Value::Null } else { serde_json::from_str(&body).unwrap() })
 }

@@ -167,6 +167,11 @@ impl VirtualDevice {
         self.settle();
     }
 
+    /// Whoever was sending at a port has gone, maybe in the middle of something.
+    pub fn hang_up(&mut self, port: Port) {
+        self.controller.hang_up(port);
+    }
+
     /// Takes what was sent since the last time, oldest first.
     pub fn drain_sent(&mut self) -> impl Iterator<Item = Sent> + '_ {
         self.world.sent.drain(..)
