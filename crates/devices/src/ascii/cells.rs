@@ -1,6 +1,6 @@
 //! The numbers that commands remember, one cell each, and how they go to flash.
 
-use super::command::{Command, Form, Value};
+use super::command::{Command, Form, Id, Value};
 use crate::settings::MAX_VALUE_BYTES;
 use heapless::Vec;
 
@@ -9,8 +9,13 @@ use heapless::Vec;
 pub struct Cells<I: 'static, const COUNT: usize> {
     table: &'static [Command<I>],
     axes: usize,
+    /// The first cell of each entry.
+    firsts: Vec<u16, MAX_COMMANDS>,
     values: [i32; COUNT],
 }
+
+/// Most commands of a table.
+pub const MAX_COMMANDS: usize = 256;
 
 /// Bytes of a cell in flash: the entry's position in the table, the place, the value.
 const CELL_BYTES: usize = 6;
@@ -31,16 +36,17 @@ pub const fn count<I>(table: &[Command<I>], axes: usize) -> usize {
     cells
 }
 
-impl<I: Copy + PartialEq, const COUNT: usize> Cells<I, COUNT> {
+impl<I: Id, const COUNT: usize> Cells<I, COUNT> {
     /// All cells with their defaults.
     ///
     /// # Panics
-    /// If `COUNT` is not the table's.
+    /// If `COUNT` is not the table's, or it has more than [`MAX_COMMANDS`] entries.
     pub fn new(table: &'static [Command<I>], axes: usize) -> Self {
         assert_eq!(count(table, axes), COUNT, "a cell for each number");
-        let mut cells = Self { table, axes, values: [0; COUNT] };
+        let mut cells = Self { table, axes, firsts: Vec::new(), values: [0; COUNT] };
         let mut first = 0;
         for command in table {
+            assert!(cells.firsts.push(first as u16).is_ok(), "room for each entry");
             let places = command.places(axes);
             for place in 0..places {
                 cells.values[first + place] = default(command, place);
@@ -82,21 +88,13 @@ impl<I: Copy + PartialEq, const COUNT: usize> Cells<I, COUNT> {
 
     /// The global value of a command stands before those of its axes.
     fn place(&self, id: I, place: usize) -> usize {
-        let maybe = self.table.iter().any(|entry| entry.id == id && entry.form == Form::MaybeAxis);
-        place + usize::from(maybe)
+        place + usize::from(self.table[id.position()].form == Form::MaybeAxis)
     }
 
     fn find(&self, id: I, place: usize) -> usize {
-        let mut first = 0;
-        for command in self.table {
-            let places = command.places(self.axes);
-            if command.id == id {
-                assert!(place < places, "a place of the command");
-                return first + place;
-            }
-            first += places;
-        }
-        unreachable!("every command is in its table");
+        let entry = id.position();
+        assert!(place < self.table[entry].places(self.axes), "a place of the command");
+        usize::from(self.firsts[entry]) + place
     }
 
     /// Records of all stored cells that have not their default.

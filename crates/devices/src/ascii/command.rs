@@ -141,6 +141,12 @@ impl<I> Command<I> {
     }
 }
 
+/// A list of commands, each of which knows where it stands in its table.
+pub trait Id: Copy + PartialEq + 'static {
+    /// The position of its entry.
+    fn position(self) -> usize;
+}
+
 /// A table of commands and the list of their names. The position of an entry in the list is its number
 /// in flash: new ones go to the end.
 ///
@@ -154,6 +160,12 @@ macro_rules! commands {
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum $ids {
             $(#[doc = $text] $id,)*
+        }
+
+        impl $crate::ascii::command::Id for $ids {
+            fn position(self) -> usize {
+                self as usize
+            }
         }
 
         $(#[$doc])*
