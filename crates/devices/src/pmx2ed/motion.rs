@@ -406,6 +406,8 @@ impl<F: Flash> Pmx2ed<F> {
             home: self.home_on(axis, board),
             limits: [minus, plus],
             index: self.index_on(axis, board),
+            // The device has no such input.
+            slowdown: false,
         };
         let station = &mut self.stations[axis];
         let Task::Home(homing) = &mut station.task else { return };

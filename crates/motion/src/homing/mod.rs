@@ -6,10 +6,11 @@
 //! - [`Search`], of TMCL modules ([`mod@reference`]): stands still at every switching point, looks at levels,
 //!   ignores end switches that it does not seek, reckons the zero point at the end from the points that it
 //!   has marked, and sets the counter when it stands there.
-//! - [`Homing`], of the controllers with A-SCRIPT ([`performax`]): waits for edges at speed, sets the
+//! - [`Homing`], of the controllers with A-SCRIPT ([`performax`], [`commander`]): waits for edges at speed, sets the
 //!   counter at the very pulse of an edge while the motor may be braking, counts index marks, and ends with
 //!   an error at an end switch that it does not seek.
 
+pub mod commander;
 pub mod performax;
 pub mod reference;
 pub mod routine;

@@ -12,6 +12,8 @@
 //!   after the trigger. The counter keeps what it was set to; the axis stands still.
 //! - Index marks count once the motor is down to the speed that the step asks for: a stop at once from a
 //!   higher speed would lose pulses, and with them the zero point.
+//! - The slowdown input is a level and a ceiling: while it is on, nothing is faster than low speed, whichever
+//!   way the motor goes. Which step it is and what counts as found do not change.
 
 use super::Pace;
 use crate::axis::{Axis, Goal};
@@ -41,6 +43,15 @@ pub enum Event {
     Index,
 }
 
+/// An occasion to clear the deviation counter of a servo drive (CMD-4CR manual, section 2.1.6.1, `ERC`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Occasion {
+    /// The motor was stopped at once at the limit that the routine seeks: bit 0 of `ERC`.
+    Stop,
+    /// The zero point is found and the motor stands still: bit 1.
+    Home,
+}
+
 /// A step of a routine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
@@ -60,6 +71,8 @@ pub enum Step {
     Correct(Way),
     /// Moves to 0, fast.
     Return,
+    /// The caller may have to clear the drive's deviation counter.
+    Clear(Occasion),
 }
 
 /// What is set for a routine.
@@ -87,6 +100,9 @@ pub struct Inputs {
     /// The encoder's index channel. Its level counts in every call; its edges need be told only while
     /// [`Homing::watches_index`].
     pub index: bool,
+    /// The slowdown input as it acts: enabled, and on or latched. The caller keeps the latch, because other
+    /// motions obey it too.
+    pub slowdown: bool,
 }
 
 /// How a routine has ended. The axis stands still.
@@ -106,8 +122,8 @@ pub struct Homing {
     settings: Settings,
     at: usize,
     phase: char,
-    /// The speed that is wanted.
-    speed: Speed,
+    /// How the motor runs; `None` when it is to stand still or goes to a position.
+    run: Option<(Way, Pace)>,
     /// Where the present correction leads to.
     target: Option<i32>,
     /// Index marks that the present step has seen.
@@ -115,6 +131,7 @@ pub struct Homing {
     /// The inputs at the last call.
     seen: Inputs,
     zeroed: bool,
+    clear: Option<Occasion>,
 }
 
 impl Homing {
@@ -126,12 +143,13 @@ impl Homing {
             settings,
             at: 0,
             phase: 'A',
-            speed: 0,
+            run: None,
             target: None,
             marks: 0,
             // Whatever is on at the first call is no edge.
-            seen: Inputs { home: true, limits: [true; 2], index: true },
+            seen: Inputs { home: true, limits: [true; 2], index: true, slowdown: true },
             zeroed: false,
+            clear: None,
         }
     }
 
@@ -148,6 +166,11 @@ impl Homing {
     /// Whether the counter was set to 0 since this was last asked: other counters may have to follow.
     pub fn take_zeroed(&mut self) -> bool {
         core::mem::take(&mut self.zeroed)
+    }
+
+    /// The last occasion to clear the drive's deviation counter since this was asked.
+    pub fn take_clear(&mut self) -> Option<Occasion> {
+        self.clear.take()
     }
 
     /// Takes notice of the inputs and of the axis; call it at the start, after every change of an input,
@@ -167,7 +190,7 @@ impl Homing {
         // Each turn of the loop is a step further, and the steps are few.
         loop {
             let Some(&step) = self.steps.get(self.at) else {
-                let over = !self.settings.return_to_zero || self.has_arrived(axis, 0);
+                let over = !self.settings.return_to_zero || self.has_arrived(axis, inputs, 0);
                 return if over { Some(Outcome::Found) } else { self.obstacle(axis, inputs) };
             };
             let done = match step {
@@ -176,13 +199,12 @@ impl Homing {
                     true
                 }
                 Step::Run(way, pace) => {
-                    let Settings { limits, slow, .. } = self.settings;
-                    self.speed = if pace == Pace::Fast { limits.top } else { slow };
-                    axis.set_limits(limits);
-                    axis.set_goal(Goal::Speed(self.direction(way), self.speed));
+                    self.run = Some((way, pace));
+                    self.keep_running(axis, inputs);
                     true
                 }
                 Step::Until(event) => {
+                    self.keep_running(axis, inputs);
                     let sought = event == Event::Limit(true);
                     (sought || self.obstacle(axis, inputs).is_none()) && self.happens(event, axis, inputs)
                 }
@@ -192,10 +214,12 @@ impl Homing {
                     true
                 }
                 Step::Halt => {
+                    self.run = None;
                     axis.halt();
                     true
                 }
                 Step::Brake => {
+                    self.run = None;
                     axis.set_goal(Goal::Speed(axis.direction(), 0));
                     !axis.is_moving() && self.obstacle(axis, inputs).is_none()
                 }
@@ -203,9 +227,13 @@ impl Homing {
                     let amount = i64::from(self.settings.correction.saturating_abs());
                     let amount = (self.direction(way).sign() * amount) as i32;
                     let target = *self.target.get_or_insert_with(|| axis.position().wrapping_add(amount));
-                    self.has_arrived(axis, target)
+                    self.has_arrived(axis, inputs, target)
                 }
-                Step::Return => self.has_arrived(axis, 0),
+                Step::Return => self.has_arrived(axis, inputs, 0),
+                Step::Clear(occasion) => {
+                    self.clear = Some(occasion);
+                    true
+                }
             };
             if !done {
                 return self.obstacle(axis, inputs);
@@ -235,13 +263,37 @@ impl Homing {
         happened
     }
 
-    /// Whether the axis has slowed down to the speed that is wanted.
+    /// Sets the axis going, and slows it down or lets it speed up again with the slowdown input.
+    fn keep_running(&self, axis: &mut Axis, inputs: Inputs) {
+        let Some((way, pace)) = self.run else { return };
+        let limits = self.limits(inputs);
+        axis.set_limits(limits);
+        axis.set_goal(Goal::Speed(self.direction(way), self.speed(pace).min(limits.top)));
+    }
+
+    /// The limits that the slowdown input leaves.
+    fn limits(&self, inputs: Inputs) -> Limits {
+        let Settings { limits, slow, .. } = self.settings;
+        if inputs.slowdown { Limits { top: limits.top.min(slow), ..limits } } else { limits }
+    }
+
+    fn speed(&self, pace: Pace) -> Speed {
+        match pace {
+            Pace::Fast => self.settings.limits.top,
+            Pace::Slow => self.settings.slow,
+        }
+    }
+
+    /// Whether the axis has slowed down to the pace that it is to have.
     fn is_down(&self, axis: &Axis) -> bool {
-        axis.speed() <= self.speed.max(axis.limits().scale.slowest())
+        let speed = self.run.map_or(0, |(_, pace)| self.speed(pace));
+        axis.speed() <= speed.max(axis.limits().scale.slowest())
     }
 
     /// Sends the axis to a position and says whether it stands there.
-    fn has_arrived(&self, axis: &mut Axis, target: i32) -> bool {
+    fn has_arrived(&mut self, axis: &mut Axis, inputs: Inputs, target: i32) -> bool {
+        self.run = None;
+        axis.set_limits(self.limits(inputs));
         axis.set_goal(Goal::Position(target));
         let arrived = !axis.is_moving() && axis.position() == target;
         if arrived {

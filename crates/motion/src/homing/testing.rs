@@ -1,6 +1,6 @@
 //! A stage with switches and an encoder's index, for the tests of homing.
 
-use super::routine::{Homing, Inputs, Outcome, Settings, Step};
+use super::routine::{Homing, Inputs, Occasion, Outcome, Settings, Step};
 use crate::pps::{self, Profile};
 use crate::{Axis, Direction, Scale, Ticks};
 use std::fmt::Write;
@@ -43,10 +43,15 @@ pub struct Stage {
     pub limits: [i64; 2],
     /// Marks of a pulse's width at the multiples of this.
     pub index: i64,
+    /// Where the slowdown switch is on.
+    pub slowdown: Range<i64>,
+    /// Whether it counts as on once it was.
+    pub latch: bool,
 }
 
 /// The stage of the tests.
-pub const STAGE: Stage = Stage { home: 500..560, limits: [-400, 1000], index: 350 };
+pub const STAGE: Stage =
+    Stage { home: 500..560, limits: [-400, 1000], index: 350, slowdown: 0..0, latch: false };
 
 /// What a routine did.
 #[derive(Debug, PartialEq)]
@@ -58,6 +63,8 @@ pub struct Record {
     pub position: i64,
     /// Regularly, and whenever the routine changes something.
     course: Vec<Sample>,
+    /// The occasions to clear the drive's counter, and where the stage stood.
+    pub clears: Vec<(Occasion, i64)>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -95,11 +102,15 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
     axis.halt();
     let mut homing = Homing::new(steps, way, settings);
     let mut course = Vec::new();
+    let mut clears = Vec::new();
+    let mut slowed = false;
     let mut now = 0;
     let mut known = None;
     for _ in 0..100_000 {
         let at = from + ahead(axis.odometer());
-        let inputs = stage.inputs(at, way);
+        let mut inputs = stage.inputs(at, way);
+        slowed = inputs.slowdown || slowed && stage.latch;
+        inputs.slowdown = slowed;
         let mut news = now % SAMPLE == 0;
         let mut outcome = None;
         // The routine hears of the start, of rest, and of changes of what it watches.
@@ -107,6 +118,7 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
             let state = |homing: &Homing, axis: &Axis| (homing.phase(), axis.position(), axis.goal());
             let before = state(&homing, &axis);
             outcome = homing.poll(&mut axis, inputs);
+            clears.extend(homing.take_clear().map(|clear| (clear, at)));
             news |= before != state(&homing, &axis) || outcome.is_some();
             known = Some(watched(inputs, &homing));
         }
@@ -122,7 +134,7 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
                 Outcome::Limit(limit) => Outcome::Limit(seen(limit, way)),
                 Outcome::Found => outcome,
             };
-            return Record { outcome, at, position, course };
+            return Record { outcome, at, position, course, clears };
         }
         axis.set_window(axis.odometer() - 1, axis.odometer() + 1);
         let wake = axis.wake().expect("a routine under way moves");
@@ -138,7 +150,12 @@ impl Stage {
         let mut limits = [false; 2];
         limits[way.reversed() as usize] = at <= self.limits[0];
         limits[way as usize] = at >= self.limits[1];
-        Inputs { home: self.home.contains(&at), limits, index: at.rem_euclid(self.index) == 0 }
+        Inputs {
+            home: self.home.contains(&at),
+            limits,
+            index: at.rem_euclid(self.index) == 0,
+            slowdown: self.slowdown.contains(&at),
+        }
     }
 }
 
