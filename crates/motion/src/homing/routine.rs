@@ -239,14 +239,16 @@ impl Homing {
                 return self.obstacle(axis, inputs);
             }
             self.at += 1;
+            // The edges of this moment are used up: the next step waits for others.
+            self.seen = inputs;
             self.target = None;
             self.marks = 0;
         }
     }
 
-    /// Whether the event is there; once it is, its edge is used up.
+    /// Whether the event is there.
     fn happens(&mut self, event: Event, axis: &Axis, inputs: Inputs) -> bool {
-        let happened = match event {
+        match event {
             Event::HomeEdge => inputs.home && !self.seen.home,
             Event::Home(on) => inputs.home == on,
             Event::Limit(on) => inputs.limits[self.way as usize] == on,
@@ -256,11 +258,7 @@ impl Homing {
                 }
                 self.marks >= self.settings.index_marks.max(1)
             }
-        };
-        if happened {
-            self.seen = inputs;
         }
-        happened
     }
 
     /// Sets the axis going, and slows it down or lets it speed up again with the slowdown input.

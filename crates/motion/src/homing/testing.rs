@@ -65,6 +65,8 @@ pub struct Record {
     course: Vec<Sample>,
     /// The occasions to clear the drive's counter, and where the stage stood.
     pub clears: Vec<(Occasion, i64)>,
+    /// The speed at every pulse, in pulses a second.
+    speeds: Vec<(i64, i64)>,
 }
 
 #[derive(Debug, PartialEq)]
@@ -73,16 +75,26 @@ struct Sample {
     phase: char,
     position: i64,
     pps: i64,
+    clear: Option<Occasion>,
 }
 
 impl Record {
     /// Its course as a table.
     pub fn table(&self) -> String {
         let mut table = String::new();
-        for Sample { ms, phase, position, pps } in &self.course {
-            writeln!(table, "{ms:6} ms  {phase}  {position:5}  {pps:5} pps").unwrap();
+        for Sample { ms, phase, position, pps, clear } in &self.course {
+            write!(table, "{ms:6} ms  {phase}  {position:5}  {pps:5} pps").unwrap();
+            match clear {
+                Some(occasion) => writeln!(table, "  {occasion:?}").unwrap(),
+                None => writeln!(table).unwrap(),
+            }
         }
         table
+    }
+
+    /// The highest speed in a range of the stage.
+    pub fn fastest(&self, range: Range<i64>) -> i64 {
+        self.speeds.iter().filter(|(at, _)| range.contains(at)).map(|&(_, pps)| pps).max().unwrap_or(0)
     }
 }
 
@@ -103,6 +115,7 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
     let mut homing = Homing::new(steps, way, settings);
     let mut course = Vec::new();
     let mut clears = Vec::new();
+    let mut speeds = Vec::new();
     let mut slowed = false;
     let mut now = 0;
     let mut known = None;
@@ -113,20 +126,23 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
         inputs.slowdown = slowed;
         let mut news = now % SAMPLE == 0;
         let mut outcome = None;
+        let mut clear = None;
         // The routine hears of the start, of rest, and of changes of what it watches.
         if known != Some(watched(inputs, &homing)) || !axis.is_moving() {
             let state = |homing: &Homing, axis: &Axis| (homing.phase(), axis.position(), axis.goal());
             let before = state(&homing, &axis);
             outcome = homing.poll(&mut axis, inputs);
-            clears.extend(homing.take_clear().map(|clear| (clear, at)));
+            clear = homing.take_clear();
+            clears.extend(clear.map(|clear| (clear, at)));
             news |= before != state(&homing, &axis) || outcome.is_some();
             known = Some(watched(inputs, &homing));
         }
         let position = ahead(axis.position().into());
+        let pps = i64::from(pps::pps(axis.speed(), SCALE, CLOCK_HZ));
+        speeds.push((at, pps));
         if news {
-            let pps = i64::from(pps::pps(axis.speed(), SCALE, CLOCK_HZ));
             let pps = ahead(axis.direction().sign() * pps);
-            course.push(Sample { ms: now / 1000, phase: homing.phase(), position, pps });
+            course.push(Sample { ms: now / 1000, phase: homing.phase(), position, pps, clear });
         }
         if let Some(outcome) = outcome {
             assert!(!axis.is_moving());
@@ -134,7 +150,7 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
                 Outcome::Limit(limit) => Outcome::Limit(seen(limit, way)),
                 Outcome::Found => outcome,
             };
-            return Record { outcome, at, position, course, clears };
+            return Record { outcome, at, position, course, clears, speeds };
         }
         axis.set_window(axis.odometer() - 1, axis.odometer() + 1);
         let wake = axis.wake().expect("a routine under way moves");
