@@ -46,7 +46,8 @@ pub enum Event {
 /// An occasion to clear the deviation counter of a servo drive (CMD-4CR manual, section 2.1.6.1, `ERC`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Occasion {
-    /// The motor was stopped at once at the limit that the routine seeks: bit 0 of `ERC`.
+    /// The motor was stopped at once at the limit that the routine seeks: bit 0 of `ERC`. Another limit is
+    /// [`Outcome::Limit`], an error stop like any other.
     Stop,
     /// The zero point is found and the motor stands still: bit 1.
     Home,
@@ -317,9 +318,9 @@ impl Homing {
 
 #[cfg(test)]
 mod tests {
-    use super::Event::{Home, HomeEdge, Index, Limit};
+    use super::Event::{HomeEdge, Index, Limit};
     use super::Pace::{Fast, Slow};
-    use super::Step::{Brake, Correct, Halt, Return, Run, Until, Zero};
+    use super::Step::{Brake, Clear, Correct, Halt, Run, Until, Zero};
     use super::Way::{Back, Onward};
     use super::*;
     use crate::homing::testing::{STAGE, START, Stage, home, settings};
@@ -328,52 +329,6 @@ mod tests {
     fn check(steps: &'static [Step], index_marks: u8, at: i64, position: i64) {
         let record = home(&STAGE, steps, 0, Settings { index_marks, ..settings() });
         assert_eq!((record.outcome, record.at, record.position), (Outcome::Found, at, position));
-    }
-
-    // Modes of the CMD-4CR (its manual, appendix A), which the steps have to be enough for.
-
-    #[test]
-    fn back_off_the_home_switch_and_on_again() {
-        const MODE_1: &[Step] = &[
-            Run(Onward, Fast),
-            Until(HomeEdge),
-            Brake,
-            Run(Back, Slow),
-            Until(Home(true)),
-            Until(Home(false)),
-            Halt,
-            Run(Onward, Slow),
-            Until(HomeEdge),
-            Halt,
-            Zero,
-        ];
-        check(MODE_1, 1, 500, 0);
-    }
-
-    #[test]
-    fn index_marks_at_full_speed() {
-        const MODE_3: &[Step] = &[Run(Onward, Fast), Until(HomeEdge), Until(Index), Zero, Brake];
-        check(MODE_3, 1, 800, 100);
-        const MODE_5: &[Step] =
-            &[Run(Onward, Fast), Until(HomeEdge), Brake, Run(Back, Fast), Until(Index), Zero, Brake];
-        check(MODE_5, 1, 250, -100);
-        check(MODE_5, 2, -100, -100);
-        const MODE_11: &[Step] =
-            &[Run(Onward, Fast), Until(HomeEdge), Brake, Run(Back, Fast), Until(Index), Zero, Brake, Return];
-        check(MODE_11, 2, 0, 0);
-    }
-
-    #[test]
-    fn back_off_the_limit() {
-        const MODE_6: &[Step] =
-            &[Run(Onward, Fast), Until(Limit(true)), Halt, Run(Back, Slow), Until(Limit(false)), Halt, Zero];
-        check(MODE_6, 1, 999, 0);
-    }
-
-    #[test]
-    fn back_to_the_trigger() {
-        const MODE_9: &[Step] = &[Run(Onward, Fast), Until(HomeEdge), Zero, Brake, Return];
-        check(MODE_9, 1, 500, 0);
     }
 
     #[test]
@@ -413,5 +368,24 @@ mod tests {
         assert_eq!(poll(false), (None, true, false));
         assert_eq!(poll(true), (None, false, true));
         assert_eq!(poll(true), (None, false, false));
+    }
+
+    #[test]
+    fn a_step_begins_after_the_edges_of_its_moment() {
+        // The home edge and a mark are one pulse, and the motor turns on a mark.
+        const STEPS: &[Step] = &[
+            Run(Onward, Fast),
+            Until(HomeEdge),
+            Until(Index),
+            Brake,
+            Run(Back, Slow),
+            Until(Index),
+            Halt,
+            Zero,
+            Clear(Occasion::Home),
+        ];
+        let record = home(&Stage { index: 100, ..STAGE }, STEPS, 0, settings());
+        assert_eq!((record.at, record.position), (600, 0));
+        assert_eq!(record.clears, [(Occasion::Home, 600)]);
     }
 }

@@ -29,7 +29,8 @@
 //! device that is to stop at it (`SDC=1`) stops the axis and drops the routine, as with any other motion.
 //!
 //! The ERC output may have to give a pulse at the limit that a mode seeks and at the end of every mode
-//! ([`Homing::take_clear`]); `ZMOVE` has none.
+//! ([`Homing::take_clear`]); `ZMOVE` has none. Such a pulse also clears the limit's error (section
+//! 2.1.3.1.1.1), which is the device's matter.
 //!
 //! Where the manual is silent or contradicts itself, this is so:
 //!

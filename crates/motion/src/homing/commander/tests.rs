@@ -227,13 +227,17 @@ fn mark(place: i64, period: i64, count: i64) -> i64 {
     }
 }
 
-#[test]
-fn zero_does_not_depend_on_the_way_there() {
+fn random_numbers() -> impl FnMut(Range<i64>) -> i64 {
     let mut seed = 1u64;
-    let mut random = move |range: Range<i64>| {
+    move |range| {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         range.start + (seed >> 33) as i64 % (range.end - range.start)
-    };
+    }
+}
+
+#[test]
+fn zero_does_not_depend_on_the_way_there() {
+    let mut random = random_numbers();
     for _ in 0..40 {
         let (edge, width, index, count) = (random(300..700), random(1..200), random(2..60), random(1..17));
         let (limit, braking) = (2500 + random(0..100), 100);
@@ -275,6 +279,45 @@ fn zero_does_not_depend_on_the_way_there() {
             check_clears(mode, &record, &stage);
         }
     }
+}
+
+#[test]
+fn every_stage_comes_to_an_end() {
+    let mut random = random_numbers();
+    let mut outcomes = [0; 3];
+    for _ in 0..40 {
+        let (edge, width, slow) = (random(-400..700), random(1..300), random(-400..700));
+        let stage = Stage {
+            home: edge..edge + width,
+            limits: [-300 - random(0..100), 300 + random(0..300)],
+            index: random(2..900),
+            slowdown: slow..slow + random(0..300),
+            latch: random(0..2) == 1,
+        };
+        let from = random(stage.limits[0]..stage.limits[1] + 1);
+        let settings = Settings { index_marks: random(1..17) as u8, ..settings() };
+        for (mode, steps) in MODES.into_iter().enumerate() {
+            let record = home(&stage, steps, from, settings);
+            let zero = record.at - record.position;
+            match record.outcome {
+                Outcome::Found => {
+                    let expected = match mode {
+                        0 | 1 | 9 => zero == edge,
+                        6 => zero == stage.limits[1] - 1,
+                        _ => zero % stage.index == 0,
+                    };
+                    assert!(expected, "mode {mode} has its zero at {zero} of {stage:?}");
+                    check_clears(mode, &record, &stage);
+                    outcomes[2] += 1;
+                }
+                Outcome::Limit(limit) => {
+                    assert_eq!(record.at, stage.limits[limit as usize], "mode {mode} on {stage:?}");
+                    outcomes[limit as usize] += 1;
+                }
+            }
+        }
+    }
+    assert!(outcomes.iter().all(|&count| count > 10), "{outcomes:?}");
 }
 
 #[test]
