@@ -92,9 +92,10 @@ impl Record {
         table
     }
 
-    /// The highest speed in a range of the stage.
-    pub fn fastest(&self, range: Range<i64>) -> i64 {
-        self.speeds.iter().filter(|(at, _)| range.contains(at)).map(|&(_, pps)| pps).max().unwrap_or(0)
+    /// The highest speed in a range of the stage, one way.
+    pub fn fastest(&self, way: Direction, range: Range<i64>) -> i64 {
+        let inside = self.speeds.iter().filter(|(at, _)| range.contains(at));
+        inside.map(|&(_, pps)| pps * way.sign()).max().unwrap_or(0)
     }
 }
 
@@ -139,9 +140,9 @@ fn run(stage: &Stage, steps: &'static [Step], from: i64, settings: Settings, way
         }
         let position = ahead(axis.position().into());
         let pps = i64::from(pps::pps(axis.speed(), SCALE, CLOCK_HZ));
+        let pps = ahead(axis.direction().sign() * pps);
         speeds.push((at, pps));
         if news {
-            let pps = ahead(axis.direction().sign() * pps);
             course.push(Sample { ms: now / 1000, phase: homing.phase(), position, pps, clear });
         }
         if let Some(outcome) = outcome {

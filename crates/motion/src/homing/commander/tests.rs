@@ -197,25 +197,32 @@ fn slowed_down_on_the_way_to_the_limit() {
     let beyond = Stage { slowdown: 600..650, ..STAGE };
     let record = home(&beyond, MODES[0], 620, settings());
     assert_eq!(record.outcome, Outcome::Limit(Positive));
-    assert_eq!(record.fastest(620..651), 100);
-    assert_eq!(record.fastest(651..1001), 1000);
+    assert_eq!(record.fastest(Positive, 620..651), 100);
+    assert_eq!(record.fastest(Positive, 651..1001), 1000);
 }
 
 #[test]
 fn nothing_is_faster_than_low_speed_while_the_switch_is_on() {
     for (mode, steps) in MODES.into_iter().enumerate() {
         let record = home(&SLOW_ALL, steps, 0, settings());
-        assert_eq!(record.fastest(-500..1100), 100, "mode {mode}");
+        for way in [Positive, Negative] {
+            assert!(record.fastest(way, -500..1100) <= 100, "mode {mode}");
+        }
     }
     // Also on the way back: 100 pulses after the switch has come on the motor is down.
     for mode in [5, 8, 11, 12] {
         let stage = Stage { slowdown: 150..420, limits: [100, 1000], index: 5000, ..STAGE };
         let record = home(&stage, MODES[mode], 450, settings());
         assert_eq!(record.outcome, Outcome::Limit(Negative));
-        assert!(record.fastest(420..600) > 900, "mode {mode}");
-        assert_eq!(record.fastest(150..320), 100, "mode {mode}");
-        assert!(record.fastest(100..150) > 600, "mode {mode}");
+        assert!(record.fastest(Negative, 420..600) > 900, "mode {mode}");
+        assert_eq!(record.fastest(Negative, 150..320), 100, "mode {mode}");
+        assert!(record.fastest(Negative, 100..150) > 600, "mode {mode}");
     }
+    // And on the return to zero.
+    let record = home(&Stage { slowdown: 540..700, ..STAGE }, MODES[9], 0, settings());
+    assert_eq!((record.outcome, record.at), (Outcome::Found, 500));
+    assert_eq!(record.fastest(Negative, 540..700), 100);
+    assert!(record.fastest(Negative, 500..540) > 300);
 }
 
 /// The n-th multiple of `period` beyond a place, or before it.
