@@ -84,3 +84,17 @@ fn token() -> Result<Token, Failure> {
         Err(error) => Err(Failure::Line(format!("{TOKEN_VARIABLE}: {error}"))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_of_each_model_listens_on_its_usual_port() {
+        let devices = one_of_each();
+        let listed: Vec<_> =
+            devices.iter().map(|device| format!("{} {}", device.name, device.listen[0])).collect();
+        assert_eq!(listed[..2], ["pd42-1140 tcp:127.0.0.1:4001", "pmx-2ed tcp:127.0.0.1:4002"]);
+        assert_eq!(devices.len(), devices::MODELS.len(), "each model has a usual port");
+    }
+}

@@ -31,6 +31,29 @@ fn a_move_over_tcp() {
 }
 
 #[test]
+fn both_models_at_once() {
+    let directory = directory(&[]);
+    let serve = Serve::start(&directory, &[TCP, "pmx-2ed=stage@tcp:127.0.0.1:0", "--no-http"], 2);
+    assert_eq!(serve.ready[1].0, "stage");
+    let mut client = serve.client(1).0;
+    let mut ask = |line: &str| {
+        client.write_all(format!("{line}\r").as_bytes()).unwrap();
+        let reply = client.try_clone().unwrap().bytes().map(Result::unwrap).take_while(|byte| *byte != b'\r');
+        String::from_utf8(reply.collect()).unwrap()
+    };
+    assert_eq!(
+        (ask("ID"), ask("@00DN"), ask("X-700")),
+        ("PERFORMAX-2ED-SA".into(), "2ED00".into(), "OK".into())
+    );
+    let begin = std::time::Instant::now();
+    while ask("PX") != "-700" {
+        assert!(begin.elapsed() < PATIENCE);
+    }
+    assert_eq!(serve.client(0).value(GAP, 1, 0, 0), 0);
+    assert_eq!(serve.end(Signal::TERM), Some(0));
+}
+
+#[test]
 fn a_move_over_a_terminal() {
     let directory = directory(&[]);
     let serve = Serve::start(&directory, &["pd42-1140=axis@pty:port", "--no-http"], 1);

@@ -148,7 +148,7 @@ fn all_programs_of_a_file_run() {
     assert_eq!((axis("X"), axis("Y")), ((4000, 4000, 4000), (-300, -300, 300)));
     assert_eq!(exchange(&mut device, b"V9\r").unwrap(), b"7\r");
     // One program alone, and again on the same controller, in place of the old ones.
-    let one = ascript("INC\nX-1000\nWAITX\n");
+    let one = ascript("INC\nX-1000\nWAITX\nEND\n");
     for position in [3000, 2000] {
         let result = run(&mut device, &one, &RunOptions::default(), |_| ()).unwrap();
         assert_eq!((result.axes["X"].position, result.axes["Y"].position), (position, -300));
