@@ -9,7 +9,7 @@ use rustix::process::Signal;
 use serde_json::Value;
 use std::{
     fs::{self, OpenOptions},
-    io::{Read, Write},
+    io::{BufRead, BufReader, Read, Write},
     net::{TcpListener, TcpStream},
 };
 
@@ -35,11 +35,12 @@ fn both_models_at_once() {
     let directory = directory(&[]);
     let serve = Serve::start(&directory, &[TCP, "pmx-2ed=stage@tcp:127.0.0.1:0", "--no-http"], 2);
     assert_eq!(serve.ready[1].0, "stage");
-    let mut client = serve.client(1).0;
+    let mut client = BufReader::new(serve.client(1).0);
     let mut ask = |line: &str| {
-        client.write_all(format!("{line}\r").as_bytes()).unwrap();
-        let reply = client.try_clone().unwrap().bytes().map(Result::unwrap).take_while(|byte| *byte != b'\r');
-        String::from_utf8(reply.collect()).unwrap()
+        client.get_mut().write_all(format!("{line}\r").as_bytes()).unwrap();
+        let mut reply = Vec::new();
+        client.read_until(b'\r', &mut reply).unwrap();
+        String::from_utf8(reply).unwrap().trim_end().to_owned()
     };
     assert_eq!(
         (ask("ID"), ask("@00DN"), ask("X-700")),
