@@ -18,7 +18,11 @@ fuzz_target!(|sources: (&[u8], &[u8])| {
     let (source, include) = sources;
     let assembly = assemble("fuzz.tmc", source, &OneFile(include));
     for diagnostic in &assembly.diagnostics {
-        assert!(diagnostic.line > 0 && diagnostic.column > 0 && diagnostic.end_column >= diagnostic.column);
+        assert!(
+            diagnostic.place.line > 0
+                && diagnostic.place.column > 0
+                && diagnostic.place.end_column >= diagnostic.place.column
+        );
     }
     assembly.render(false);
     if let Some(program) = assembly.program {

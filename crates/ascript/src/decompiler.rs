@@ -70,7 +70,7 @@ pub fn decompile(lines: &[Line], dialect: &Dialect) -> Result<String, DecompileE
     let compilation = compile("", text.as_bytes(), dialect);
     let Some(code) = compilation.code else {
         let line = compilation.diagnostics.iter().find(|diagnostic| diagnostic.kind().is_some());
-        let row = line.map_or(0, |diagnostic| diagnostic.line - 1);
+        let row = line.map_or(0, |diagnostic| diagnostic.place.line - 1);
         return Err(misplaced(starts[row]));
     };
     match (0..count.max(code.lines.len())).find(|&address| code.lines.get(address) != lines.get(address)) {

@@ -64,6 +64,6 @@ END
     #[test]
     fn errors_are_told() {
         let errors = format("test", b"V1==1\nEND", &PERFORMAX_2).expect_err("wrong");
-        assert_eq!((errors.len(), errors[0].line), (1, 1));
+        assert_eq!((errors.len(), errors[0].place.line), (1, 1));
     }
 }

@@ -258,7 +258,8 @@ fn timer_interrupts() {
 #[test]
 fn warnings() {
     let check = |name: &str, lines: &[usize]| {
-        let found: Vec<_> = assembled(name).diagnostics.iter().map(|diagnostic| diagnostic.line).collect();
+        let found: Vec<_> =
+            assembled(name).diagnostics.iter().map(|diagnostic| diagnostic.place.line).collect();
         assert_eq!(found, lines, "{name}");
     };
     check("timer_interrupt", &[11, 13]);

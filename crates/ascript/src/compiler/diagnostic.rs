@@ -1,7 +1,6 @@
 //! What the compiler has to say about a source.
 
-use super::source::{Source, Span};
-use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use source::{Level, Place, Source, Span};
 use std::fmt;
 use thiserror::Error;
 
@@ -81,21 +80,12 @@ pub enum Severity {
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
-    /// Name of the file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// First column, from 1, in characters.
-    pub column: usize,
-    /// Column behind the last one.
-    pub end_column: usize,
+    /// Where.
+    pub place: Place,
     /// What is the matter.
     pub message: String,
     /// What might help.
     pub hint: Option<String>,
-    /// The text of the line, and where in it the place is.
-    line_text: String,
-    span: Span,
 }
 
 /// What is found at a place, before it is known in which file.
@@ -121,22 +111,7 @@ impl Diagnostic {
     /// A finding about some bytes of a source, which are all in one line.
     pub(crate) fn new(source: &Source, finding: Finding) -> Self {
         let Finding { severity, span, message, hint } = finding;
-        let line = source.line(span.start);
-        let text = source.line_span(line);
-        let start = span.start.min(text.end);
-        let end = span.end.clamp(start, text.end);
-        let column = source.column(start);
-        Self {
-            severity,
-            file: source.name.clone(),
-            line,
-            column,
-            end_column: column + source.slice(&(start..end)).chars().count(),
-            message,
-            hint,
-            line_text: source.slice(&text).to_owned(),
-            span: start - text.start..end - text.start,
-        }
+        Self { severity, place: Place::new(source, span), message, hint }
     }
 
     /// The name of the error in the manual; `None` for a warning.
@@ -155,43 +130,18 @@ impl Diagnostic {
         }
     }
 
+    fn level(&self) -> Level {
+        if self.kind().is_some() { Level::Error } else { Level::Warning }
+    }
+
     /// The message with its line of source, as a compiler prints it.
     pub fn render(&self, color: bool) -> String {
-        let level = if self.kind().is_some() { Level::ERROR } else { Level::WARNING };
-        let title = self.title();
-        let snippet = Snippet::source(self.line_text.as_str())
-            .line_start(self.line)
-            .path(self.file.as_str())
-            .annotation(AnnotationKind::Primary.span(self.span.clone()));
-        let mut group = level.primary_title(title.as_str()).element(snippet);
-        if let Some(hint) = &self.hint {
-            group = group.element(Level::HELP.message(hint.as_str()));
-        }
-        let renderer = if color { Renderer::styled() } else { Renderer::plain() };
-        renderer.render(&[group])
+        self.place.render(self.level(), &self.title(), self.hint.as_deref(), color)
     }
 }
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let severity = if self.kind().is_some() { "error" } else { "warning" };
-        write!(f, "{}:{}:{}: {severity}: {}", self.file, self.line, self.column, self.title())?;
-        match &self.hint {
-            Some(hint) => write!(f, " ({hint})"),
-            None => Ok(()),
-        }
+        f.write_str(&self.place.line(self.level(), &self.title(), self.hint.as_deref()))
     }
-}
-
-/// The candidate that is spelled most like `word`, if any is near enough to be what was meant.
-pub(crate) fn nearest(word: &str, candidates: impl Iterator<Item = String>) -> Option<String> {
-    // At least one character must be right.
-    let length = word.chars().count();
-    let bound = length.div_ceil(3).min(3).min(length.saturating_sub(1));
-    let upper = word.to_uppercase();
-    candidates
-        .map(|candidate| (strsim::damerau_levenshtein(&upper, &candidate), candidate))
-        .filter(|(distance, _)| *distance <= bound)
-        .min()
-        .map(|(_, candidate)| candidate)
 }

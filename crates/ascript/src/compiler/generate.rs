@@ -2,12 +2,12 @@
 
 use super::diagnostic::{ErrorKind, Finding, Severity};
 use super::parser::SourceLine;
-use super::source::Span;
 use super::syntax::{Condition, Expression, Statement, Value};
 use super::{Code, MAX_NESTING};
 use crate::dialect::Dialect;
 use crate::isa::{Operator, PROGRAMS, SUBROUTINES};
 use crate::line::{Line, OPERANDS, Operand, TEMPORARIES, pack};
+use source::Span;
 
 /// The lines of the statements, and what is wrong with how they stand together.
 pub(super) fn generate(lines: &[SourceLine], dialect: &Dialect) -> (Code, Vec<Finding>) {

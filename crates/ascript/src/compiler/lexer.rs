@@ -1,7 +1,7 @@
 //! Characters to tokens.
 
-use super::source::{Source, Span};
 use logos::Logos;
+use source::{Source, Span};
 
 /// A token.
 #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]

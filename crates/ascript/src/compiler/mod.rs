@@ -7,7 +7,6 @@ mod diagnostic;
 mod generate;
 mod lexer;
 mod parser;
-mod source;
 pub mod syntax;
 mod words;
 
@@ -78,10 +77,13 @@ pub fn compile(name: &str, source: &[u8], dialect: &Dialect) -> Compilation {
     Compilation { code: correct.then_some(code), diagnostics: diagnostics(&source, findings) }
 }
 
+/// A byte order mark, which some editors put before UTF-8.
+const MARK: &[u8] = "\u{FEFF}".as_bytes();
+
 /// A source, unless it is too long.
 pub(crate) fn read(name: &str, bytes: &[u8]) -> Result<Source, Vec<Diagnostic>> {
     if bytes.len() <= MAX_SOURCE_BYTES {
-        return Ok(Source::new(name, bytes));
+        return Ok(Source::new(name, bytes.strip_prefix(MARK).unwrap_or(bytes)));
     }
     let message = format!("a source has at most {MAX_SOURCE_BYTES} bytes");
     Err(diagnostics(&Source::new(name, &[]), vec![Finding::error(ErrorKind::Other, 0..0, message)]))

@@ -2,12 +2,12 @@
 
 use super::diagnostic::{ErrorKind, Finding};
 use super::lexer::{self, Token, Tokens};
-use super::source::{Source, Span};
 use super::syntax::{Condition, Expression, Statement, Value};
 use super::{MAX_MESSAGES, words};
 use crate::dialect::Dialect;
 use crate::isa::{Comparison, Direction, Entry, Index, Kind, Operator, Place, Suffix, Word};
 use crate::line::OPERANDS;
+use source::{Source, Span};
 
 /// A line of a source.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -146,7 +146,10 @@ fn errors_of_the_manual() {
 /// The kinds of the errors in a source, with line and column.
 fn kinds(source: &str, dialect: &Dialect) -> Vec<(ErrorKind, usize, usize)> {
     let diagnostics = compile("", source.as_bytes(), dialect).diagnostics;
-    diagnostics.iter().filter_map(|found| Some((found.kind()?, found.line, found.column))).collect()
+    diagnostics
+        .iter()
+        .filter_map(|found| Some((found.kind()?, found.place.line, found.place.column)))
+        .collect()
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Words as people write them: names of axes as moves, and what a wrong word may have meant.
 
-use super::diagnostic::nearest;
 use crate::dialect::{self, Dialect};
 use crate::isa::{Entry, Index, Kind, Place, Suffix, Word, words};
+use source::nearest;
 
 /// The move of each axis.
 pub(super) const MOVES: [Word; 4] = [Word::X, Word::Y, Word::Z, Word::U];

@@ -1,12 +1,13 @@
 //! Statements to commands.
 
-use super::diagnostic::{Diagnostic, Severity, nearest};
+use super::diagnostic::{Diagnostic, Severity};
 use super::load::{Loader, Placed};
 use super::parser::{Expression, Node, Span, Statement};
-use super::source::Source;
 use super::symbols::{Definition, Entry, Reason, Symbols, ValueError};
 use super::{Assembly, Environment, Place, Program, RAW_MNEMONIC, Symbol};
 use crate::isa::{self, Command, Field, Instruction, Operand, PROGRAM_LENGTH, Role, opcode};
+use source::Source;
+use source::nearest;
 
 /// The operands of [`RAW_MNEMONIC`]: three bytes and a number.
 const RAW_OPERANDS: [&str; 4] = ["opcode", "type", "motor", "value"];
@@ -254,7 +255,7 @@ impl Assembler<'_> {
         if !stops && !no_stop && !self.too_long {
             let place = self.program.map.last().copied().unwrap_or(Place { file: 0, line: 1 });
             if self.program.commands.len() == PROGRAM_LENGTH {
-                let span = self.sources[place.file].line_range(place.line);
+                let span = self.sources[place.file].line_span(place.line);
                 let message = "there is no room for the `STOP` at the end".to_owned();
                 let hint = Some("`#nostop` leaves it out".to_owned());
                 self.report(Severity::Error, place.file, span, message, hint);
@@ -273,8 +274,8 @@ impl Assembler<'_> {
             self.program.symbols.push(Symbol { name, value, label, place });
         }
         let order = |diagnostic: &Diagnostic| {
-            let file = self.sources.iter().position(|source| source.name == diagnostic.file);
-            (file, diagnostic.line, diagnostic.column)
+            let file = self.sources.iter().position(|source| source.name == diagnostic.place.file);
+            (file, diagnostic.place.line, diagnostic.place.column)
         };
         self.diagnostics.sort_by_key(order);
         let failed = self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);

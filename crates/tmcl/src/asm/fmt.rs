@@ -6,8 +6,8 @@
 use super::RAW_MNEMONIC;
 use super::lexer::{self, Spanned, Token};
 use super::parser;
-use super::source::Source;
 use crate::isa;
+use source::Source;
 
 /// Where commands begin, and comments that stand deeper than the labels.
 const INDENT: usize = 4;
@@ -387,7 +387,7 @@ mod tests {
             let (before, after) = (assembled(text.as_bytes()), assembled(&formatted));
             prop_assert_eq!(&before.program, &after.program);
             let said = |assembly: &Assembly| -> Vec<_> {
-                assembly.diagnostics.iter().map(|diagnostic| (diagnostic.line, diagnostic.severity)).collect()
+                assembly.diagnostics.iter().map(|diagnostic| (diagnostic.place.line, diagnostic.severity)).collect()
             };
             prop_assert_eq!(said(&before), said(&after));
         }

@@ -1,10 +1,11 @@
 //! Reads the main source and all it includes into one list of statements.
 
-use super::diagnostic::{Diagnostic, Severity, nearest};
+use super::diagnostic::{Diagnostic, Severity};
 use super::parser::{self, Statement};
-use super::source::{MAX_SOURCE_BYTES, Source};
 use super::{Environment, Include};
 use crate::isa::interrupts_include;
+use source::nearest;
+use source::{MAX_SOURCE_BYTES, Source};
 
 /// How deep include files include others.
 pub const MAX_INCLUDE_DEPTH: usize = 16;

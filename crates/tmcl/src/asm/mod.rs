@@ -10,7 +10,6 @@ mod fmt;
 mod lexer;
 mod load;
 mod parser;
-mod source;
 mod symbols;
 
 pub use diagnostic::{Diagnostic, Severity};

@@ -1,7 +1,7 @@
 //! Tokens to statements, a line at a time. An error ends its line only.
 
 use super::lexer::{self, Spanned, Token};
-use super::source::Source;
+use source::Source;
 use std::ops::Range;
 
 /// How deep parentheses and signs nest.

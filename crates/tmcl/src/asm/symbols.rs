@@ -1,7 +1,7 @@
 //! Labels and constants, and the value of expressions.
 
 use super::parser::{Expression, Node, Operator, Span};
-use super::source::Source;
+use source::Source;
 use std::collections::BTreeMap;
 
 /// How many constants may be defined by means of each other, in a row, before their definition.

@@ -366,8 +366,8 @@ proptest! {
     fn anything_like_a_program(source in "([A-C]:|[A-C] ?= ?|MVP |COMP |JC |ABS|#include |a.inc|ß|[0-9$%x+*/(),-]|//|\r|\n| ){0,60}") {
         let assembly = assemble("test.tmc", source.as_bytes(), &World);
         for diagnostic in &assembly.diagnostics {
-            prop_assert!(diagnostic.line >= 1 && diagnostic.column >= 1);
-            prop_assert!(diagnostic.end_column >= diagnostic.column);
+            prop_assert!(diagnostic.place.line >= 1 && diagnostic.place.column >= 1);
+            prop_assert!(diagnostic.place.end_column >= diagnostic.place.column);
         }
         assembly.render(false);
     }

@@ -1,4 +1,4 @@
-//! A source file, and places in it.
+//! A source file.
 
 use std::ops::Range;
 
@@ -6,24 +6,24 @@ use std::ops::Range;
 pub const MAX_SOURCE_BYTES: usize = 1 << 20;
 
 /// Bytes of a source's text.
-pub(crate) type Span = Range<usize>;
+pub type Span = Range<usize>;
 
 /// A source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Source {
+pub struct Source {
     /// Its name, as messages show it.
-    pub(crate) name: String,
+    pub name: String,
     /// Its text.
-    pub(crate) text: String,
+    pub text: String,
     /// Where each line begins.
     lines: Vec<usize>,
 }
 
 impl Source {
-    /// A file of these bytes: UTF-8, with or without a byte order mark, or, if they are none, Latin-1.
-    pub(crate) fn new(name: &str, bytes: &[u8]) -> Self {
+    /// A file of these bytes: UTF-8 or, if they are none, Latin-1.
+    pub fn new(name: impl Into<String>, bytes: &[u8]) -> Self {
         let text = match std::str::from_utf8(bytes) {
-            Ok(text) => text.strip_prefix('\u{FEFF}').unwrap_or(text).to_owned(),
+            Ok(text) => text.to_owned(),
             Err(_) => bytes.iter().copied().map(char::from).collect(),
         };
         let mut lines = vec![0];
@@ -37,30 +37,30 @@ impl Source {
     }
 
     /// How many lines there are; the text behind the last line end is one, even if it is empty.
-    pub(crate) fn line_count(&self) -> usize {
+    pub fn line_count(&self) -> usize {
         self.lines.len()
     }
 
     /// The line, from 1, in which a byte of the text stands.
-    pub(crate) fn line(&self, offset: usize) -> usize {
+    pub fn line(&self, offset: usize) -> usize {
         self.lines.partition_point(|&start| start <= offset)
     }
 
     /// The column, from 1 and in characters, of a byte of the text.
-    pub(crate) fn column(&self, offset: usize) -> usize {
+    pub fn column(&self, offset: usize) -> usize {
         let start = self.lines[self.line(offset) - 1];
         self.text[start..offset].chars().count() + 1
     }
 
     /// Where a line's text is, without its end.
-    pub(crate) fn line_span(&self, line: usize) -> Span {
+    pub fn line_span(&self, line: usize) -> Span {
         let start = self.lines[line - 1];
         let end = self.lines.get(line).copied().unwrap_or(self.text.len());
         start..start + self.text[start..end].trim_end_matches(['\r', '\n']).len()
     }
 
     /// The text at a place.
-    pub(crate) fn slice(&self, span: &Span) -> &str {
+    pub fn slice(&self, span: &Span) -> &str {
         &self.text[span.clone()]
     }
 }
@@ -88,6 +88,5 @@ mod tests {
     #[test]
     fn encodings() {
         assert_eq!(Source::new("a", b"Gr\xF6\xDFe").text, "Größe");
-        assert_eq!(Source::new("a", "\u{FEFF}END".as_bytes()).text, "END");
     }
 }
