@@ -44,7 +44,7 @@ impl Client<'_> {
         // Of what comes in one go on a serial bus every device hears each byte before the next one, so that
         // their replies come in the order of the questions.
         let stations = &self.line.stations;
-        let is_serial_bus = stations.iter().filter(|(_, port)| *port == Port::Rs485).count() > 1;
+        let is_serial_bus = stations.iter().any(|(_, port)| *port == Port::Rs485);
         for part in bytes.chunks(if is_serial_bus { 1 } else { bytes.len().max(1) }) {
             for (unit, port) in stations {
                 unit.exchange(*port, part, &self.sink, &mut self.sent);
