@@ -1,7 +1,7 @@
 //! The command language of Performax and Commander controllers: lines of ASCII such as `HSPDX=2000`.
 //!
 //! - [`command`]: what an entry of a device's table says, and the macro that makes tables.
-//! - [`parse`]: from a line to the entry that it means, with its axis, index, targets and value.
+//! - [`mod@parse`]: from a line to the entry that it means, with its axis, index, targets and value.
 //! - [`cells`]: the numbers that commands remember.
 //! - [`refusal`]: why a command is not done, in the manual's words.
 
