@@ -70,8 +70,9 @@ fn make_edges(axis: &mut Axis, way: i32, edges: &mut [Ticks]) -> usize {
             axis.set_goal(Goal::Position(target));
             continue;
         };
-        axis.advance(wake, |train| done += train.expand(black_box(&mut edges[done..])));
+        axis.advance(wake, |train| done += train.expand(&mut edges[done..]));
     }
+    black_box(edges);
     done
 }
 
@@ -81,8 +82,9 @@ fn line_edges(now: &mut Ticks, axes: &mut [Axis; 2], way: [i32; 2], edges: &mut 
     let mut line = Line::new(performax(false), way, *now, axes);
     while let Some(wake) = line.wake(axes) {
         *now = wake;
-        line.advance(wake, axes, |_, train| done += train.expand(black_box(&mut edges[done..])));
+        line.advance(wake, axes, |_, train| done += train.expand(&mut edges[done..]));
     }
+    black_box(edges);
     done
 }
 
