@@ -61,7 +61,19 @@ impl Foot {
         direction: Direction,
         from: &Pace,
     ) -> (Train, SubTicks, Pace) {
-        let away = if self.key.rises { 1 } else { u32::MAX };
+        let rises = self.key.rises;
+        if count == TRIPLE {
+            let lowest = if rises { at } else { at.wrapping_sub(TRIPLE - 1) };
+            if let Some([a, b, c]) = self.known_from(lowest) {
+                let [first, second, third] = if rises { [a, b, c] } else { [c, b, a] };
+                let add = second.wrapping_sub(first) as i64;
+                let jerk = third.wrapping_sub(second) as i64 - add;
+                let train = Train { start, interval: first, add, jerk, count, direction, mask: EVERY_SLOT };
+                let last = if rises { lowest + TRIPLE - 1 } else { lowest };
+                return (train, first + second + third, self.ends[last as usize]);
+            }
+        }
+        let away = if rises { 1 } else { u32::MAX };
         let first = self.step(at, |_| *from);
         let (mut last, mut span, mut add, mut jerk) = (at, first, 0, 0);
         if count > 1 {
@@ -77,6 +89,13 @@ impl Foot {
         }
         let train = Train { start, interval: first, add, jerk, count, direction, mask: EVERY_SLOT };
         (train, span, self.ends[last as usize])
+    }
+
+    /// The spacings of three pulses, if all of them are known.
+    #[inline(always)]
+    fn known_from(&self, lowest: u32) -> Option<[SubTicks; TRIPLE as usize]> {
+        let known = self.known.checked_shr(lowest)? & 0b111 == 0b111;
+        self.spacings.get(lowest as usize..)?.first_chunk().filter(|_| known).copied()
     }
 
     /// The spacing of a pulse; the pace with which it begins is asked for only if it must be learnt.
