@@ -120,8 +120,8 @@ impl<F: Flash> Pmx2ed<F> {
         };
         let encoder = self.encoder(axis, board);
         let carried = self.line_of(axis).is_some();
-        let station = &mut self.stations[axis];
-        if !carried && matches!(station.task, Task::Rest) && !self.axes[axis].is_moving() {
+        let resting = matches!(self.stations[axis].task, Task::Rest) && !self.axes[axis].is_moving();
+        if resting && !carried {
             // A correction goes with the speeds of the axis.
             let limits = self.limits(axis);
             self.axes[axis].set_limits(limits);
@@ -140,7 +140,6 @@ impl<F: Flash> Pmx2ed<F> {
             station.task = Task::Stop;
         }
         self.stop_line(axis, Halt::AtOnce);
-        self.settle_line();
         self.settle();
         self.program_error(axis);
     }

@@ -73,8 +73,8 @@ impl<F: Flash> Pmx2ed<F> {
         }
     }
 
-    /// A digital input or limit changes its level; `false` if it is another pin.
-    pub fn take_level(&mut self, number: usize, level: bool) -> bool {
+    /// A digital input or limit changes its level; others are read when they are asked for.
+    pub fn take_level(&mut self, number: usize, level: bool) {
         match number {
             pin::DI1..pin::DO1 => {
                 let bit = 1 << (number - pin::DI1);
@@ -83,9 +83,8 @@ impl<F: Flash> Pmx2ed<F> {
             0..pin::DI1 if number % pin::AXIS <= pin::MINUS_LIMIT => {
                 self.io.limits[number / pin::AXIS][number % pin::AXIS] = level;
             }
-            _ => return false,
+            _ => {}
         }
-        true
     }
 
     /// Whether the limits of an axis are on: plus, minus.

@@ -142,7 +142,7 @@ impl<F: Flash> Pmx2ed<F> {
                 self.run_homing(axis, board);
             }
         }
-        self.settle_line();
+        // A line that ends where a limit comes on has not run into it.
         self.settle();
         self.watch_limits();
         self.watch_hosts();

@@ -170,8 +170,8 @@ impl<F: Flash> Pmx2ed<F> {
     }
 
     /// Speeds and times in force for an axis, or with `None` for lines, in pulses: what is out of the
-    /// range of the speed table is brought into it.
-    fn profile(&self, axis: Option<usize>) -> (Profile, u32) {
+    /// range of the speed table is brought into it. S-curves are those of axis `curve_of`.
+    fn profile(&self, axis: Option<usize>, curve_of: usize) -> (Profile, u32) {
         let get = |id| match axis {
             Some(axis) => self.memory.cells.of_axis(id, axis),
             None => self.memory.cells.get(id),
@@ -191,7 +191,7 @@ impl<F: Flash> Pmx2ed<F> {
         let acceleration_ms = time(Id::Acceleration);
         let own = self.memory.cells.get(Id::OwnDeceleration) != 0;
         let deceleration_ms = if own { time(Id::Deceleration) } else { acceleration_ms };
-        let s_curve = axis.is_some_and(|axis| self.memory.cells.at(Id::SCurve, axis) != 0);
+        let s_curve = self.memory.cells.at(Id::SCurve, curve_of) != 0;
         // On-the-fly changes need the scale of the whole window.
         let fastest_pps = if mode == 0 { high_pps } else { high_pps.max(window.to_pps) };
         (Profile { low_pps, high_pps, acceleration_ms, deceleration_ms, s_curve }, fastest_pps)
@@ -199,18 +199,17 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// The limits of a motion without a target.
     pub fn limits(&self, axis: usize) -> Limits {
-        let (profile, fastest) = self.profile(Some(axis));
+        let (profile, fastest) = self.profile(Some(axis), axis);
         profile.limits(pps::scale(fastest, CLOCK_HZ), CLOCK_HZ)
     }
 
     /// The limits of a move over so many pulses (manual, A.2).
-    fn limits_over(&self, axis: Option<usize>, pulses: u32, s_curve: bool) -> Limits {
-        let (profile, fastest) = self.profile(axis);
+    fn limits_over(&self, axis: Option<usize>, pulses: u32, curve_of: usize) -> Limits {
+        let (profile, fastest) = self.profile(axis, curve_of);
         let ends = [profile.low_pps, profile.high_pps];
         let times = [profile.acceleration_ms, profile.deceleration_ms];
         let [acceleration_ms, deceleration_ms] = pps::positional(pulses, ends, times);
-        let profile =
-            Profile { acceleration_ms, deceleration_ms, s_curve: profile.s_curve || s_curve, ..profile };
+        let profile = Profile { acceleration_ms, deceleration_ms, ..profile };
         profile.limits(pps::scale(fastest, CLOCK_HZ), CLOCK_HZ)
     }
 
@@ -241,7 +240,7 @@ impl<F: Flash> Pmx2ed<F> {
             station.closed.begin(&self.axes[axis], closed_loop::Motion::To(target));
             if named == 1 {
                 station.task = Task::Move { from };
-                let limits = self.limits_over(Some(axis), way.unsigned_abs(), false);
+                let limits = self.limits_over(Some(axis), way.unsigned_abs(), axis);
                 self.axes[axis].set_limits(limits);
                 self.axes[axis].set_goal(Goal::Position(pulses));
             } else if way != 0 {
@@ -251,11 +250,9 @@ impl<F: Flash> Pmx2ed<F> {
         if named > 1 {
             let ways = goals.map(|goal| goal.map_or(0, |(.., way)| way));
             let longest = if ways[1].unsigned_abs() > ways[0].unsigned_abs() { 1 } else { 0 };
-            let s_curve = self.memory.cells.at(Id::SCurve, longest) != 0;
-            let limits = self.limits_over(None, ways[longest].unsigned_abs(), s_curve);
+            let limits = self.limits_over(None, ways[longest].unsigned_abs(), longest);
             self.line = Some(Line::new(limits, ways, self.now, &mut self.axes));
         }
-        self.watch_limits();
         self.react(board);
         Ok(())
     }
@@ -300,7 +297,6 @@ impl<F: Flash> Pmx2ed<F> {
                 station.task = Task::Stop;
             }
         }
-        self.settle_line();
         self.settle();
     }
 
@@ -444,7 +440,6 @@ impl<F: Flash> Pmx2ed<F> {
                 }
             }
         }
-        self.settle_line();
         self.settle();
     }
 
@@ -473,19 +468,16 @@ impl<F: Flash> Pmx2ed<F> {
         self.clear_loop(axis, board);
     }
 
-    /// A line that has ended lets its axes go.
-    pub fn settle_line(&mut self) {
-        let Some(line) = self.line.take_if(|line| !line.is_moving()) else { return };
-        for axis in (0..AXIS_COUNT).filter(|&axis| line.involves(axis)) {
-            self.stations[axis].task = Task::Stop;
-        }
-    }
-
-    /// Axes that stand have nothing to do any more.
+    /// A line that has ended lets its axes go, and axes that stand have nothing to do any more.
     pub fn settle(&mut self) {
-        for (station, axis) in self.stations.iter_mut().zip(&self.axes) {
-            let over = matches!(station.task, Task::Move { .. } | Task::Jog | Task::Stop);
-            if over && !axis.is_moving() {
+        let ended = self.line.take_if(|line| !line.is_moving());
+        for (number, (station, axis)) in self.stations.iter_mut().zip(&self.axes).enumerate() {
+            let over = match station.task {
+                Task::Move { .. } | Task::Jog | Task::Stop => !axis.is_moving(),
+                Task::Line { .. } => ended.as_ref().is_some_and(|line| line.involves(number)),
+                Task::Rest | Task::Home(_) | Task::Joystick => false,
+            };
+            if over {
                 station.task = Task::Rest;
             }
         }

@@ -4,7 +4,7 @@
 use super::motion::Halt;
 use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
-use crate::ascii::Refusal;
+use crate::ascii::{Refusal, command::Id as _};
 use crate::board::Board;
 use crate::controller::{ProgramRun, ProgramState};
 use crate::flash::Flash;
@@ -130,8 +130,7 @@ impl<F: Flash> Pmx2ed<F> {
 
     fn write_register(&mut self, place: Place, value: i32, board: &mut dyn Board) -> Result<(), Refusal> {
         let (id, place) = register(place).ok_or(Refusal::Unknown)?;
-        let entry = COMMANDS.iter().find(|command| command.id == id);
-        let range = entry.and_then(|command| command.value.range());
+        let range = COMMANDS[id.position()].value.range();
         if !range.is_some_and(|(low, high)| (low..=high).contains(&value)) {
             return Err(Refusal::Value);
         }
