@@ -62,60 +62,38 @@ impl Foot {
         from: &Pace,
     ) -> (Train, SubTicks, Pace) {
         let rises = self.key.rises;
-        if count == TRIPLE {
-            let lowest = if rises { at } else { at.wrapping_sub(TRIPLE - 1) };
-            if let Some([a, b, c]) = self.known_from(lowest) {
-                let [first, second, third] = if rises { [a, b, c] } else { [c, b, a] };
-                let add = second.wrapping_sub(first) as i64;
-                let jerk = third.wrapping_sub(second) as i64 - add;
-                let train = Train { start, interval: first, add, jerk, count, direction, mask: EVERY_SLOT };
-                let last = if rises { lowest + TRIPLE - 1 } else { lowest };
-                return (train, first + second + third, self.ends[last as usize]);
-            }
+        let last = if rises { at + (count - 1) } else { at - (count - 1) };
+        let lowest = at.min(last);
+        let all = (1 << count) - 1;
+        if self.known >> lowest & all != all {
+            self.learn(at, count, *from);
         }
-        let away = if rises { 1 } else { u32::MAX };
-        let first = self.step(at, |_| *from);
-        let (mut last, mut span, mut add, mut jerk) = (at, first, 0, 0);
-        if count > 1 {
-            last = last.wrapping_add(away);
-            let second = self.step(last, |foot| foot.ends[at as usize]);
-            (span, add) = (span + second, second.wrapping_sub(first) as i64);
-            if count > 2 {
-                let before = last;
-                last = last.wrapping_add(away);
-                let third = self.step(last, |foot| foot.ends[before as usize]);
-                (span, jerk) = (span + third, third.wrapping_sub(second) as i64 - add);
+        let known = &self.spacings[lowest as usize..][..count as usize];
+        let (interval, add, jerk, span) = match (known, rises) {
+            (&[a, b, c], true) | (&[c, b, a], false) => {
+                let add = b.wrapping_sub(a) as i64;
+                (a, add, c.wrapping_sub(b) as i64 - add, a + b + c)
             }
-        }
-        let train = Train { start, interval: first, add, jerk, count, direction, mask: EVERY_SLOT };
+            (&[a, b], true) | (&[b, a], false) => (a, b.wrapping_sub(a) as i64, 0, a + b),
+            _ => (known[0], 0, 0, known[0]),
+        };
+        let train = Train { start, interval, add, jerk, count, direction, mask: EVERY_SLOT };
         (train, span, self.ends[last as usize])
     }
 
-    /// The spacings of three pulses, if all of them are known.
-    #[inline(always)]
-    fn known_from(&self, lowest: u32) -> Option<[SubTicks; TRIPLE as usize]> {
-        let known = self.known.checked_shr(lowest)? & 0b111 == 0b111;
-        self.spacings.get(lowest as usize..)?.first_chunk().filter(|_| known).copied()
-    }
-
-    /// The spacing of a pulse; the pace with which it begins is asked for only if it must be learnt.
-    #[inline(always)]
-    fn step(&mut self, at: u32, from: impl FnOnce(&Self) -> Pace) -> SubTicks {
-        if self.known >> at & 1 == 0 {
-            let from = from(self);
-            self.learn(at, from);
-        }
-        self.spacings[at as usize]
-    }
-
+    /// Finds the spacings and the ends of some pulses.
     #[cold]
     #[inline(never)]
-    fn learn(&mut self, at: u32, from: Pace) {
+    fn learn(&mut self, at: u32, count: u32, mut from: Pace) {
         let Key { scale, slow, growth, rises } = self.key;
-        let end = from.next(slow + growth * u64::from(if rises { at + 1 } else { at }));
-        self.spacings[at as usize] = scale.mean_spacing(from.speed, end.speed);
-        self.ends[at as usize] = end;
-        self.known |= 1 << at;
+        for pulse in 0..count {
+            let at = if rises { at + pulse } else { at - pulse };
+            let end = from.next(slow + growth * u64::from(if rises { at + 1 } else { at }));
+            self.spacings[at as usize] = scale.mean_spacing(from.speed, end.speed);
+            self.ends[at as usize] = end;
+            self.known |= 1 << at;
+            from = end;
+        }
     }
 }
 
