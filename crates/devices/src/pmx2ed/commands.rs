@@ -1,7 +1,8 @@
 //! What each command does: from a line of text to its reply (manual, section 9).
 
 use super::table::{AXES, AXIS_COUNT, COMMANDS, Id};
-use super::{Pmx2ed, joystick, motion, polarity};
+use super::{Pmx2ed, joystick, polarity};
+use crate::ascii::station::Halt;
 use crate::ascii::{Parsed, Refusal, Value, parse};
 use crate::board::Board;
 use crate::flash::Flash;
@@ -186,8 +187,8 @@ impl<F: Flash> Pmx2ed<F> {
     fn act(&mut self, line: &Line<'_>, board: &mut dyn Board) -> Result<(), Refusal> {
         let axis = line.axis;
         match line.command.id {
-            Id::Abort => self.stop(axis, motion::Halt::AtOnce),
-            Id::Stop => self.stop(axis, motion::Halt::Ramp),
+            Id::Abort => self.stop(axis, Halt::AtOnce),
+            Id::Stop => self.stop(axis, Halt::Ramp),
             Id::Absolute => self.incremental = false,
             Id::Incremental => self.incremental = true,
             Id::Clear => self.clear(axis.ok_or(Refusal::Unknown)?, board),

@@ -1,9 +1,9 @@
 //! Encoders and StepNLoop (manual, sections 7.4 and 7.17).
 
 use super::Pmx2ed;
-use super::motion::{Halt, Task};
 use super::table::{AXIS_COUNT, Id};
 use crate::ascii::Refusal;
+use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::closed_loop::{Settings, Status};
@@ -35,10 +35,7 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// Sets the encoder counter; the target of StepNLoop goes along.
     pub fn set_encoder(&mut self, axis: usize, position: i32, board: &mut dyn Board) {
-        let decoder = board.encoder(axis);
-        let station = &mut self.stations[axis];
-        station.closed.shift(position.wrapping_sub(station.encoder.position(decoder)));
-        station.encoder.set_position(position, decoder);
+        self.stations[axis].set_encoder(position, board.encoder(axis));
     }
 
     /// Target position now minus encoder.
@@ -49,22 +46,12 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// The pulse that a target means.
     pub fn goal(&self, axis: usize, target: i32) -> Result<i32, Refusal> {
-        let closed = &self.stations[axis].closed;
-        if !closed.is_on() {
-            return Ok(target);
-        }
-        closed.goal(&self.axes[axis], target, self.ratio(axis)).ok_or(Refusal::Value)
+        self.stations[axis].goal(&self.axes[axis], target, self.ratio(axis)).ok_or(Refusal::Value)
     }
 
     /// `SLS`.
     pub fn loop_status(&self, axis: usize) -> i32 {
         self.stations[axis].closed.status() as i32
-    }
-
-    /// Whether StepNLoop is still bringing the axis into position.
-    pub fn is_settling(&self, axis: usize) -> bool {
-        let status = self.stations[axis].closed.status();
-        !matches!(status, Status::Idle | Status::Off) && !status.is_error()
     }
 
     /// `SL`: StepNLoop on or off.
@@ -91,7 +78,7 @@ impl<F: Flash> Pmx2ed<F> {
         for axis in 0..AXIS_COUNT {
             if self.joystick_on(axis) {
                 self.memory.cells.set_at(Id::Loop, axis, 0);
-                self.stations[axis].task = Task::Joystick;
+                self.stations[axis].task = Task::Follow;
             }
             if self.memory.cells.at(Id::Loop, axis) != 0 {
                 let encoder = self.encoder(axis, board);
@@ -136,7 +123,7 @@ impl<F: Flash> Pmx2ed<F> {
         if !failed {
             return;
         }
-        if !matches!(station.task, Task::Rest | Task::Line { .. }) {
+        if !matches!(station.task, Task::Rest | Task::Path { .. }) {
             station.task = Task::Stop;
         }
         self.stop_line(axis, Halt::AtOnce);

@@ -1,14 +1,13 @@
 //! Joystick control (manual, section 7.15).
 
-use super::motion::Task;
 use super::table::{AXIS_COUNT, Id};
 use super::{Pmx2ed, pins};
-use crate::ascii::Refusal;
+use crate::ascii::station::Task;
+use crate::ascii::{Refusal, speeds};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::joystick::{Joystick, Settings, SoftLimits};
-use ::motion::speed::{MAX_GROWTH, MAX_SPEED};
-use ::motion::{Direction, Goal, Limits, Shape, pps};
+use ::motion::{Direction, Goal, pps};
 
 // Places of the two axes' values among JV1 to JV6.
 pub const SPEEDS: usize = 0;
@@ -37,7 +36,7 @@ impl<F: Flash> Pmx2ed<F> {
             if begins(axis) {
                 self.memory.cells.set_at(Id::Loop, axis, 0);
                 self.stations[axis].closed.disable();
-                self.stations[axis].task = Task::Joystick;
+                self.stations[axis].task = Task::Follow;
             } else if before >> axis & 1 != 0 && mask >> axis & 1 == 0 {
                 self.axes[axis].halt();
                 self.stations[axis].joystick = Joystick::new();
@@ -76,20 +75,11 @@ impl<F: Flash> Pmx2ed<F> {
             self.stations[axis].joystick = Joystick::new();
             speed = 0;
         }
-        let scale = pps::scale(settings.speed_pps.max(1), pps::CLOCK_HZ);
-        let top = pps::speed(speed.unsigned_abs(), scale, pps::CLOCK_HZ);
+        let limits = speeds::at_once(settings.speed_pps, pps::CLOCK_HZ);
+        let top = pps::speed(speed.unsigned_abs(), limits.scale, pps::CLOCK_HZ);
         let unit = &mut self.axes[axis];
         // The joystick's own steps are the ramp: the axis takes each at once.
-        let any = MAX_SPEED;
-        unit.set_limits(Limits {
-            scale,
-            top: any,
-            start: any,
-            stop: any,
-            growth: MAX_GROWTH,
-            fall: MAX_GROWTH,
-            shape: Shape::Trapezoid,
-        });
+        unit.set_limits(limits);
         let way = if speed == 0 { unit.direction() } else { Direction::of(speed.into()) };
         unit.set_goal(Goal::Speed(way, top));
     }

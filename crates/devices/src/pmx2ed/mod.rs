@@ -9,7 +9,6 @@
 //! This file is the clock: it takes the controller from one thing that happens to the next.
 
 mod commands;
-mod encoder;
 mod feedback;
 mod io;
 mod joystick;
@@ -21,15 +20,18 @@ mod program;
 pub mod table;
 mod wire;
 
+use crate::ascii::encoder::Encoder;
+use crate::ascii::speeds::Family;
+use crate::ascii::station::{Station, Task};
+use crate::ascii::threads::{LineTime, Threads};
 use crate::board::{Board, Drive, Port};
 use crate::controller::{AxisState, Controller, Pin, PinKind, ProgramState};
 use crate::flash::Flash;
 use ::motion::line::Line;
 use ::motion::{Axis, Direction, Goal, Ticks, pps};
 use memory::Memory;
-use motion::{Station, Task};
 use pins::number as pin;
-use program::Programs;
+use program::THREADS;
 use table::AXIS_COUNT;
 pub use table::MAX_SPEED_PPS;
 use wire::Wire;
@@ -37,8 +39,11 @@ use wire::Wire;
 /// Clocks of a millisecond.
 const MILLISECOND: Ticks = pps::CLOCK_HZ as Ticks / 1000;
 
-/// How long a compiled line takes, unless set otherwise: 100 µs.
-pub const LINE_CLOCKS: Ticks = MILLISECOND / 10;
+/// How long a compiled line takes, unless set otherwise.
+const LINE_MICROS: u32 = 100;
+
+/// Clock and speeds.
+const FAMILY: Family = Family { clock_hz: pps::CLOCK_HZ, windows: &pps::PERFORMAX };
 
 /// Bytes of flash that the controller needs: the program of 1,275 lines and all settings, three times.
 pub const FLASH_BYTES: u32 = 48 * crate::flash::PAGE_BYTES;
@@ -46,7 +51,6 @@ pub const FLASH_BYTES: u32 = 48 * crate::flash::PAGE_BYTES;
 /// The controller.
 pub struct Pmx2ed<F: Flash> {
     now: Ticks,
-    line_clocks: Ticks,
     memory: Memory<F>,
     axes: [Axis; AXIS_COUNT],
     stations: [Station; AXIS_COUNT],
@@ -56,7 +60,7 @@ pub struct Pmx2ed<F: Flash> {
     incremental: bool,
     io: io::Io,
     wire: Wire,
-    programs: Programs,
+    programs: Threads<THREADS>,
     /// The next tick of the millisecond clock, while something needs it.
     tick_at: Option<Ticks>,
     /// Outputs and programs have been set going.
@@ -69,11 +73,13 @@ impl<F: Flash> Pmx2ed<F> {
     /// A controller that has just been switched on, at clock 0.
     pub fn new(flash: F) -> Self {
         let memory = Memory::open(flash);
-        let stations = core::array::from_fn(|axis| Station::new(memory.cells.at(table::Id::Polarity, axis)));
+        let stations = core::array::from_fn(|axis| {
+            let word = memory.cells.at(table::Id::Polarity, axis);
+            Station::new(Encoder::new(0, polarity::decoding_shift(word)))
+        });
         let wire = Wire::new(memory.number);
         Self {
             now: 0,
-            line_clocks: LINE_CLOCKS,
             memory,
             axes: core::array::from_fn(|_| motion::resting()),
             stations,
@@ -81,7 +87,7 @@ impl<F: Flash> Pmx2ed<F> {
             incremental: false,
             io: io::Io::default(),
             wire,
-            programs: Programs::new(),
+            programs: Threads::new(LineTime::of_micros(LINE_MICROS, pps::CLOCK_HZ)),
             tick_at: None,
             started: false,
             dead: false,
@@ -93,8 +99,7 @@ impl<F: Flash> Pmx2ed<F> {
     /// # Panics
     /// If it is 0: a program would never let time pass.
     pub fn set_line_clocks(&mut self, clocks: Ticks) {
-        assert!(clocks > 0, "a line takes time");
-        self.line_clocks = clocks;
+        self.programs.set_line_clocks(clocks);
     }
 
     /// What power-up does once there is a board.
@@ -159,7 +164,7 @@ impl<F: Flash> Pmx2ed<F> {
     /// The next clock at which something is due, programs left out.
     fn due(&self) -> Ticks {
         let line = self.line.as_ref().and_then(|line| line.wake(&self.axes));
-        let deadlines = [line, self.tick_at, self.time_out_due(), self.delay_due()];
+        let deadlines = [line, self.tick_at, self.time_out_due(), self.programs.delay_due()];
         let axes = self.axes.iter().map(Axis::wake);
         deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
     }
@@ -223,7 +228,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
         loop {
             let horizon = self.due().min(now);
             let before = self.axes.each_ref().map(Axis::odometer);
-            match self.next_program().filter(|&(clock, _)| clock <= horizon) {
+            match self.programs.next(self.now).filter(|&(clock, _)| clock <= horizon) {
                 Some((clock, thread)) => {
                     self.step_to(clock, board);
                     if !self.at_window(before) {
@@ -238,7 +243,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
             if self.at_window(before) || self.outside() != outside {
                 return self.now;
             }
-            let idle = self.next_program().is_none_or(|(clock, _)| clock > now);
+            let idle = self.programs.next(self.now).is_none_or(|(clock, _)| clock > now);
             if self.now == now && idle && self.due() > now {
                 return now;
             }
@@ -253,7 +258,8 @@ impl<F: Flash> Controller for Pmx2ed<F> {
             return self.now;
         }
         // A program has something to do all the time: once a millisecond is often enough to look.
-        let program = self.next_program().map_or(Ticks::MAX, |(at, _)| at.max(self.now + MILLISECOND));
+        let program =
+            self.programs.next(self.now).map_or(Ticks::MAX, |(at, _)| at.max(self.now + MILLISECOND));
         self.due().min(program)
     }
 
@@ -299,7 +305,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
         };
         let speed = limits.scale.millipulses_per_second(speed, pps::CLOCK_HZ) as i64;
         let target = match (&self.stations[axis].task, unit.goal()) {
-            (&Task::Line { target }, _) | (_, Goal::Position(target)) => target,
+            (&Task::Path { target }, _) | (_, Goal::Position(target)) => target,
             _ => unit.position(),
         };
         AxisState {
@@ -313,6 +319,6 @@ impl<F: Flash> Controller for Pmx2ed<F> {
     }
 
     fn program(&self, index: usize) -> Option<ProgramState> {
-        self.program_state(index)
+        self.programs.view(index)
     }
 }

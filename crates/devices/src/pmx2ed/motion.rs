@@ -1,105 +1,25 @@
 //! Moves, jogs and stops of both axes, and what limits do to them (manual, sections 7.1 to 7.11).
 
-use super::encoder::Encoder;
 use super::pins::number as pin;
 use super::table::{AXIS_COUNT, Id};
-use super::{MAX_SPEED_PPS, Pmx2ed, polarity};
+use super::{FAMILY, MAX_SPEED_PPS, Pmx2ed};
 use crate::ascii::Refusal;
+use crate::ascii::speeds::{self, Speeds};
+use crate::ascii::station::{Halt, SIDES, Task, side};
 use crate::board::Board;
 use crate::flash::Flash;
-use ::motion::closed_loop::{self, Ratio, StepNLoop};
+use ::motion::closed_loop::{self, Ratio};
 use ::motion::homing::routine::{Inputs, Outcome, Settings};
 use ::motion::homing::{Homing, performax::Routine};
-use ::motion::joystick::Joystick;
 use ::motion::line::Line;
 use ::motion::pps::{self, CLOCK_HZ, PERFORMAX, Profile};
 use ::motion::{Axis, Direction, Goal, Limits, Shape};
-
-/// How a motion is ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Halt {
-    /// Within the clock.
-    AtOnce,
-    /// With the deceleration ramp.
-    Ramp,
-}
-
-impl Halt {
-    /// What StepNLoop calls it.
-    const fn motion(self) -> closed_loop::Motion {
-        match self {
-            Self::AtOnce => closed_loop::Motion::Abort,
-            Self::Ramp => closed_loop::Motion::Stop,
-        }
-    }
-}
-
-/// What an axis was told to do.
-#[derive(Clone, Debug)]
-pub enum Task {
-    /// Nothing.
-    Rest,
-    /// To go to a target; INC targets of `T` count from here.
-    Move {
-        /// Position at the start.
-        from: i32,
-    },
-    /// To go on and on.
-    Jog,
-    /// To find its zero point.
-    Home(Homing),
-    /// To follow a line with the other axis.
-    Line {
-        /// To this pulse.
-        target: i32,
-    },
-    /// To follow the joystick.
-    Joystick,
-    /// To come to rest.
-    Stop,
-}
-
-/// What belongs to an axis beside its pulses.
-pub struct Station {
-    pub task: Task,
-    /// Latched limit errors: plus, minus.
-    pub errors: [bool; 2],
-    pub encoder: Encoder,
-    pub closed: StepNLoop,
-    pub joystick: Joystick,
-    /// The program that set it in motion, for its errors.
-    pub program: Option<usize>,
-}
-
-impl Station {
-    pub fn new(word: i32) -> Self {
-        Self {
-            task: Task::Rest,
-            errors: [false; 2],
-            encoder: Encoder::new(0, polarity::decoding_shift(word)),
-            closed: StepNLoop::new(),
-            joystick: Joystick::new(),
-            program: None,
-        }
-    }
-}
 
 /// An axis before its first motion, which brings limits with it.
 pub fn resting() -> Axis {
     let profile = Profile { low_pps: 1, high_pps: 1, acceleration_ms: 1, deceleration_ms: 1, s_curve: false };
     Axis::new(profile.limits(pps::scale(1, CLOCK_HZ), CLOCK_HZ))
 }
-
-/// Places of a limit: plus comes first in pins, status bits and errors.
-const fn side(way: Direction) -> usize {
-    match way {
-        Direction::Positive => 0,
-        Direction::Negative => 1,
-    }
-}
-
-/// The directions of the [`side`]s.
-const SIDES: [Direction; 2] = [Direction::Positive, Direction::Negative];
 
 impl<F: Flash> Pmx2ed<F> {
     /// Whether pulses are on their way on an axis.
@@ -110,9 +30,9 @@ impl<F: Flash> Pmx2ed<F> {
     /// Whether an axis has come to the end of what it was told, corrections included.
     pub fn is_done(&self, axis: usize) -> bool {
         let station = &self.stations[axis];
-        matches!(station.task, Task::Rest | Task::Joystick)
+        matches!(station.task, Task::Rest | Task::Follow)
             && !self.is_moving(axis)
-            && !self.is_settling(axis)
+            && !self.stations[axis].is_settling()
     }
 
     /// The line that an axis follows.
@@ -169,9 +89,9 @@ impl<F: Flash> Pmx2ed<F> {
         }
     }
 
-    /// Speeds and times in force for an axis, or with `None` for lines, in pulses: what is out of the
-    /// range of the speed table is brought into it. S-curves are those of axis `curve_of`.
-    fn profile(&self, axis: Option<usize>, curve_of: usize) -> (Profile, u32) {
+    /// Speeds and times in force for an axis, or with `None` for lines, in pulses. S-curves are those of axis
+    /// `curve_of`.
+    fn speeds(&self, axis: Option<usize>, curve_of: usize) -> Speeds {
         let get = |id| match axis {
             Some(axis) => self.memory.cells.of_axis(id, axis),
             None => self.memory.cells.get(id),
@@ -180,37 +100,25 @@ impl<F: Flash> Pmx2ed<F> {
             Some(axis) => self.ratio(axis).pulses(value.into()).clamp(1, MAX_SPEED_PPS.into()) as u32,
             None => value as u32,
         };
-        let high_pps = pulses(get(Id::HighSpeed));
-        let mode = axis.map_or(0, |axis| self.memory.cells.at(Id::SpeedMode, axis));
-        let window = match mode {
-            0 => pps::window(&PERFORMAX, high_pps),
-            mode => &PERFORMAX[mode as usize - 1],
-        };
-        let low_pps = pulses(get(Id::LowSpeed)).max(window.least_low_pps).min(high_pps);
-        let time = |id| window.clamp_ms(get(id) as u32, [low_pps, high_pps]);
-        let acceleration_ms = time(Id::Acceleration);
         let own = self.memory.cells.get(Id::OwnDeceleration) != 0;
-        let deceleration_ms = if own { time(Id::Deceleration) } else { acceleration_ms };
-        let s_curve = self.memory.cells.at(Id::SCurve, curve_of) != 0;
-        // On-the-fly changes need the scale of the whole window.
-        let fastest_pps = if mode == 0 { high_pps } else { high_pps.max(window.to_pps) };
-        (Profile { low_pps, high_pps, acceleration_ms, deceleration_ms, s_curve }, fastest_pps)
+        Speeds {
+            high_pps: pulses(get(Id::HighSpeed)),
+            low_pps: pulses(get(Id::LowSpeed)),
+            acceleration_ms: get(Id::Acceleration) as u32,
+            deceleration_ms: get(if own { Id::Deceleration } else { Id::Acceleration }) as u32,
+            window: axis.map(|axis| self.memory.cells.at(Id::SpeedMode, axis) as u8),
+            s_curve: self.memory.cells.at(Id::SCurve, curve_of) != 0,
+        }
     }
 
     /// The limits of a motion without a target.
     pub fn limits(&self, axis: usize) -> Limits {
-        let (profile, fastest) = self.profile(Some(axis), axis);
-        profile.limits(pps::scale(fastest, CLOCK_HZ), CLOCK_HZ)
+        self.speeds(Some(axis), axis).limits(&FAMILY)
     }
 
-    /// The limits of a move over so many pulses (manual, A.2).
+    /// The limits of a move over so many pulses.
     fn limits_over(&self, axis: Option<usize>, pulses: u32, curve_of: usize) -> Limits {
-        let (profile, fastest) = self.profile(axis, curve_of);
-        let ends = [profile.low_pps, profile.high_pps];
-        let times = [profile.acceleration_ms, profile.deceleration_ms];
-        let [acceleration_ms, deceleration_ms] = pps::positional(pulses, ends, times);
-        let profile = Profile { acceleration_ms, deceleration_ms, ..profile };
-        profile.limits(pps::scale(fastest, CLOCK_HZ), CLOCK_HZ)
+        self.speeds(axis, curve_of).limits_over(pulses, &FAMILY)
     }
 
     /// `X`, `Y`, `I`: to a target, or along a line to targets. `program` is who says so, if not a host.
@@ -244,7 +152,7 @@ impl<F: Flash> Pmx2ed<F> {
                 self.axes[axis].set_limits(limits);
                 self.axes[axis].set_goal(Goal::Position(pulses));
             } else if way != 0 {
-                station.task = Task::Line { target: pulses };
+                station.task = Task::Path { target: pulses };
             }
         }
         if named > 1 {
@@ -293,7 +201,7 @@ impl<F: Flash> Pmx2ed<F> {
                 Halt::AtOnce => unit.halt(),
                 Halt::Ramp => unit.set_goal(Goal::Speed(unit.direction(), 0)),
             }
-            if !matches!(station.task, Task::Joystick) {
+            if !matches!(station.task, Task::Follow) {
                 station.task = Task::Stop;
             }
         }
@@ -317,7 +225,7 @@ impl<F: Flash> Pmx2ed<F> {
     pub fn change_speed(&mut self, axis: usize, speed: i32) -> Result<(), Refusal> {
         let mode = self.memory.cells.at(Id::SpeedMode, axis);
         let station = &self.stations[axis];
-        if matches!(station.task, Task::Line { .. }) {
+        if matches!(station.task, Task::Path { .. }) {
             return Err(Refusal::Interpolating);
         }
         if self.memory.cells.at(Id::SCurve, axis) != 0 {
@@ -337,11 +245,10 @@ impl<F: Flash> Pmx2ed<F> {
         if !allowed.contains(&present) || limits.shape != Shape::Trapezoid {
             return Err(Refusal::Speed);
         }
-        let top = pps::speed(asked, limits.scale, CLOCK_HZ);
-        let low = limits.start.min(top);
-        self.axes[axis].set_limits(Limits { top, start: low, stop: limits.stop.min(top), ..limits });
+        let limits = speeds::changed(limits, asked, CLOCK_HZ);
+        self.axes[axis].set_limits(limits);
         if let Goal::Speed(way, _) = self.axes[axis].goal() {
-            self.axes[axis].set_goal(Goal::Speed(way, top));
+            self.axes[axis].set_goal(Goal::Speed(way, limits.top));
         }
         Ok(())
     }
@@ -409,8 +316,7 @@ impl<F: Flash> Pmx2ed<F> {
         let Task::Home(homing) = &mut station.task else { return };
         let outcome = homing.poll(&mut self.axes[axis], inputs);
         if homing.take_zeroed() {
-            station.closed.zero(&self.axes[axis]);
-            station.encoder.set_position(0, board.encoder(axis));
+            station.zero(&self.axes[axis], board.encoder(axis));
         }
         match outcome {
             None => {}
@@ -450,7 +356,7 @@ impl<F: Flash> Pmx2ed<F> {
         let on_line = self.stop_line(axis, Halt::AtOnce);
         let (station, unit) = (&mut self.stations[axis], &mut self.axes[axis]);
         unit.halt();
-        if !on_line && !matches!(station.task, Task::Joystick) {
+        if !on_line && !matches!(station.task, Task::Follow) {
             station.task = Task::Stop;
         }
         if ignored {
@@ -472,14 +378,8 @@ impl<F: Flash> Pmx2ed<F> {
     pub fn settle(&mut self) {
         let ended = self.line.take_if(|line| !line.is_moving());
         for (number, (station, axis)) in self.stations.iter_mut().zip(&self.axes).enumerate() {
-            let over = match station.task {
-                Task::Move { .. } | Task::Jog | Task::Stop => !axis.is_moving(),
-                Task::Line { .. } => ended.as_ref().is_some_and(|line| line.involves(number)),
-                Task::Rest | Task::Home(_) | Task::Joystick => false,
-            };
-            if over {
-                station.task = Task::Rest;
-            }
+            let path_ended = ended.as_ref().is_some_and(|line| line.involves(number));
+            station.settle(axis.is_moving(), path_ended);
         }
     }
 

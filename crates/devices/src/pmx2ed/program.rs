@@ -1,125 +1,45 @@
 //! The standalone programs in time: when their next lines are due, their waits, and what they do to the
 //! controller (manual, sections 7.19 and 10).
 
-use super::motion::Halt;
 use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
+use crate::ascii::station::Halt;
+use crate::ascii::threads::{Hold, Threads};
 use crate::ascii::{Refusal, command::Id as _};
 use crate::board::Board;
-use crate::controller::{ProgramRun, ProgramState};
 use crate::flash::Flash;
 use ::motion::{Direction, Ticks};
 use ascript::dialect::PERFORMAX_2;
 use ascript::isa::{self, Place, Word};
 use ascript::line::Line;
-use ascript::vm::{Action, Exit, State, Thread};
+use ascript::vm::{Action, Exit, State};
 
 /// Programs that a host starts and stops.
 const PROGRAMS: usize = PERFORMAX_2.threads as usize;
 
-/// The thread of subroutines that a host starts by `GS`.
-const HOST: usize = PROGRAMS;
-
-/// Lines that are executed at most before anything else is looked at.
-const MAX_BATCH: u64 = 1 << 20;
-
-/// What a thread waits for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Hold {
-    /// The end of an axis' motion.
-    Axis(usize),
-    /// A clock.
-    Until(Ticks),
-}
-
-/// A thread in time.
-struct Timed {
-    thread: Thread,
-    /// When its next line is executed.
-    next_at: Ticks,
-    hold: Option<Hold>,
-}
-
-impl Timed {
-    /// Whether lines are executed.
-    fn goes(&self) -> bool {
-        self.thread.state() == State::Running && self.hold.is_none()
-    }
-
-    fn is_active(&self) -> bool {
-        matches!(self.thread.state(), State::Running | State::Paused)
-    }
-
-    fn stop(&mut self) {
-        self.thread.stop();
-        self.hold = None;
-    }
-
-    fn start(&mut self, line: u16, now: Ticks) {
-        self.thread.start(line);
-        self.next_at = now;
-        self.hold = None;
-    }
-}
-
-/// The threads: programs 0 and 1, and that of the host.
-pub struct Programs {
-    threads: [Timed; PROGRAMS + 1],
-}
-
-impl Programs {
-    pub fn new() -> Self {
-        let thread = || Timed { thread: Thread::new(), next_at: 0, hold: None };
-        Self { threads: core::array::from_fn(|_| thread()) }
-    }
-}
+/// The programs' threads and that of the host.
+pub const THREADS: usize = PROGRAMS + 1;
 
 impl<F: Flash> Pmx2ed<F> {
-    /// The thread whose next line is due first, and when.
-    pub fn next_program(&self) -> Option<(Ticks, usize)> {
-        let threads = self.programs.threads.iter().enumerate().filter(|(_, timed)| timed.goes());
-        threads.map(|(number, timed)| (timed.next_at.max(self.now), number)).min()
-    }
-
-    /// When the first delay is over.
-    pub fn delay_due(&self) -> Option<Ticks> {
-        let until = |timed: &Timed| match timed.hold {
-            Some(Hold::Until(clock)) => Some(clock),
-            _ => None,
-        };
-        self.programs.threads.iter().filter_map(until).min()
-    }
-
     /// Runs a thread until `horizon`, before which nothing else happens, or until it has done something
     /// after which the horizon may be another. Time stands at its next line.
     pub fn run_program(&mut self, number: usize, horizon: Ticks, board: &mut dyn Board) {
-        let at = self.now;
-        // Another thread has its turn in between.
-        let others =
-            self.programs.threads.iter().enumerate().filter(|(other, it)| *other != number && it.goes());
-        let horizon = others.map(|(_, timed)| timed.next_at.max(at)).fold(horizon, Ticks::min);
-        let budget = ((horizon - at) / self.line_clocks + 1).min(MAX_BATCH) as u32;
-        let timed = &mut self.programs.threads[number];
-        let (executed, exit) = timed.thread.run(&mut self.memory.program, budget);
-        timed.next_at = at + Ticks::from(executed) * self.line_clocks;
+        let (clock, exit) = self.programs.run(number, &mut self.memory.program, self.now, horizon);
         match exit {
             Exit::Budget | Exit::Idle | Exit::Stopped => {}
             Exit::Read(place) => {
-                let clock = timed.next_at;
                 self.step_to(clock, board);
                 let value = register(place).map_or(0, |(id, place)| self.read(id, place, board));
-                self.programs.threads[number].thread.complete(value);
+                self.programs.complete(number, value);
             }
             Exit::Write(place, value) => {
-                let clock = timed.next_at - self.line_clocks;
                 self.step_to(clock, board);
                 // What a host would be refused changes nothing here either.
                 let _ = self.write_register(place, value, board);
-                self.programs.threads[number].thread.done();
+                self.programs.done(number);
                 self.react(board);
             }
             Exit::Do(action) => {
-                let clock = timed.next_at - self.line_clocks;
                 self.step_to(clock, board);
                 self.perform(number, action, board);
                 self.react(board);
@@ -192,37 +112,25 @@ impl<F: Flash> Pmx2ed<F> {
         if moved.is_err() && axes.into_iter().flatten().any(barred) {
             self.fail(number);
         } else {
-            self.programs.threads[number].thread.done();
+            self.programs.done(number);
         }
     }
 
     fn hold(&mut self, number: usize, hold: Hold) {
-        self.programs.threads[number].hold = Some(hold);
+        self.programs.hold(number, hold);
         self.end_waits();
     }
 
     /// Ends the waits that are over.
     pub fn end_waits(&mut self) {
-        for number in 0..self.programs.threads.len() {
-            let next_at = match self.programs.threads[number].hold {
-                // Whether an axis stands is looked at line by line.
-                Some(Hold::Axis(axis)) if self.is_done(axis) => self.now + self.line_clocks,
-                Some(Hold::Until(clock)) if clock <= self.now => self.now,
-                _ => continue,
-            };
-            let timed = &mut self.programs.threads[number];
-            timed.hold = None;
-            timed.thread.done();
-            timed.next_at = timed.next_at.max(next_at);
-        }
+        let done: [bool; AXIS_COUNT] = core::array::from_fn(|axis| self.is_done(axis));
+        self.programs.end_waits(self.now, |axis| done[axis]);
     }
 
     /// An error of an axis is one of the program that set it in motion, else of the first that runs
     /// (manual, 7.19.5).
     pub fn program_error(&mut self, axis: usize) {
-        let active = |number: &usize| self.programs.threads[*number].is_active();
-        let mover = self.stations[axis].program.filter(active);
-        if let Some(number) = mover.or_else(|| (0..self.programs.threads.len()).find(active)) {
+        if let Some(number) = self.programs.responsible(self.stations[axis].program) {
             self.fail(number);
         }
     }
@@ -230,24 +138,20 @@ impl<F: Flash> Pmx2ed<F> {
     /// To the error subroutine, or into the error state.
     fn fail(&mut self, number: usize) {
         let restart = self.polarity(0) & polarity::RESTART != 0;
-        let timed = &mut self.programs.threads[number];
-        timed.thread.fail(&self.memory.program, restart);
-        timed.hold = None;
-        timed.next_at = timed.next_at.max(self.now);
+        self.programs.fail(number, &self.memory.program, restart, self.now);
     }
 
     /// `SR`: 0 stop, 1 start, 2 pause, 3 continue.
     pub fn control_program(&mut self, number: usize, control: i32) -> Result<(), Refusal> {
-        let timed = &mut self.programs.threads[number];
         match control {
-            0 => timed.stop(),
-            1 if timed.thread.state() == State::Running => {}
-            1 => timed.start(self.memory.program.program(number as u8).ok_or(Refusal::State)?, self.now),
-            2 => timed.thread.pause(),
-            _ => {
-                timed.thread.resume();
-                timed.next_at = timed.next_at.max(self.now);
+            0 => self.programs.stop(number),
+            1 if self.programs.state(number) == State::Running => {}
+            1 => {
+                let line = self.memory.program.program(number as u8).ok_or(Refusal::State)?;
+                self.programs.start(number, line, self.now);
             }
+            2 => self.programs.pause(number),
+            _ => self.programs.resume(number, self.now),
         }
         Ok(())
     }
@@ -255,11 +159,10 @@ impl<F: Flash> Pmx2ed<F> {
     /// `GS`: a subroutine by itself.
     pub fn run_subroutine(&mut self, number: u16) -> Result<(), Refusal> {
         let line = self.memory.program.subroutine(number as u8).ok_or(Refusal::NoSubroutine)?;
-        let timed = &mut self.programs.threads[HOST];
-        if timed.is_active() {
+        if self.programs.is_active(Threads::<THREADS>::HOST) {
             return Err(Refusal::State);
         }
-        timed.start(line, self.now);
+        self.programs.start(Threads::<THREADS>::HOST, line, self.now);
         Ok(())
     }
 
@@ -283,24 +186,12 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// `SASTAT`.
     pub fn program_status(&self, number: usize) -> i32 {
-        self.programs.threads[number].thread.state() as i32
+        self.programs.state(number) as i32
     }
 
     /// `SPC`.
     pub fn program_counter(&self, number: usize) -> i32 {
-        self.programs.threads[number].thread.counter().into()
-    }
-
-    /// A program, for views.
-    pub fn program_state(&self, number: usize) -> Option<ProgramState> {
-        let thread = &self.programs.threads[..PROGRAMS].get(number)?.thread;
-        let run = match thread.state() {
-            State::Idle => ProgramRun::Idle,
-            State::Running => ProgramRun::Running,
-            State::Paused => ProgramRun::Paused,
-            State::Error => ProgramRun::Error,
-        };
-        Some(ProgramState { run, counter: thread.counter().into(), instructions: thread.instructions() })
+        self.programs.counter(number).into()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The encoder counter of an axis (manual, 7.4 and table 7.7).
+//! The encoder counter of an axis (PMX-2ED-SA manual, 7.4 and table 7.7; CMD-4CR manual, 2.1.2.3).
 
 /// A counter on top of a decoder that counts fourfold.
 #[derive(Clone, Copy, Debug)]

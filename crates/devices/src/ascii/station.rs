@@ -1,0 +1,128 @@
+//! An axis as the command languages see it: what it was told to do, its encoder and its closed loop.
+
+use super::encoder::Encoder;
+use motion::closed_loop::{self, Ratio, StepNLoop};
+use motion::homing::Homing;
+use motion::joystick::Joystick;
+use motion::{Axis, Direction};
+
+/// How a motion is ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halt {
+    /// Within the clock.
+    AtOnce,
+    /// With the deceleration ramp.
+    Ramp,
+}
+
+impl Halt {
+    /// What StepNLoop calls it.
+    pub const fn motion(self) -> closed_loop::Motion {
+        match self {
+            Self::AtOnce => closed_loop::Motion::Abort,
+            Self::Ramp => closed_loop::Motion::Stop,
+        }
+    }
+}
+
+/// What an axis was told to do.
+#[derive(Clone, Debug)]
+pub enum Task {
+    /// Nothing.
+    Rest,
+    /// To go to a target; INC targets of `T` count from here.
+    Move {
+        /// Position at the start.
+        from: i32,
+    },
+    /// To go on and on.
+    Jog,
+    /// To find its zero point.
+    Home(Homing),
+    /// To follow a path with other axes.
+    Path {
+        /// To this pulse.
+        target: i32,
+    },
+    /// To follow a joystick or a manual pulse generator.
+    Follow,
+    /// To come to rest.
+    Stop,
+}
+
+/// What belongs to an axis beside its pulses.
+#[derive(Debug)]
+pub struct Station {
+    /// What it was told to do.
+    pub task: Task,
+    /// Latched limit errors: plus, minus, as [`side`] says.
+    pub errors: [bool; 2],
+    /// The encoder counter.
+    pub encoder: Encoder,
+    /// StepNLoop.
+    pub closed: StepNLoop,
+    /// What the joystick has come to.
+    pub joystick: Joystick,
+    /// The program that set it in motion, for its errors.
+    pub program: Option<usize>,
+}
+
+/// Places of a limit: plus comes first in pins, status bits and errors.
+pub const fn side(way: Direction) -> usize {
+    match way {
+        Direction::Positive => 0,
+        Direction::Negative => 1,
+    }
+}
+
+/// The directions of the [`side`]s.
+pub const SIDES: [Direction; 2] = [Direction::Positive, Direction::Negative];
+
+impl Station {
+    /// An axis at power-up.
+    pub fn new(encoder: Encoder) -> Self {
+        Self {
+            task: Task::Rest,
+            errors: [false; 2],
+            encoder,
+            closed: StepNLoop::new(),
+            joystick: Joystick::new(),
+            program: None,
+        }
+    }
+
+    /// Whether StepNLoop is still bringing the axis into position.
+    pub fn is_settling(&self) -> bool {
+        let status = self.closed.status();
+        !matches!(status, closed_loop::Status::Idle | closed_loop::Status::Off) && !status.is_error()
+    }
+
+    /// Sets the encoder counter; the target of StepNLoop goes along.
+    pub fn set_encoder(&mut self, position: i32, decoder: i32) {
+        self.closed.shift(position.wrapping_sub(self.encoder.position(decoder)));
+        self.encoder.set_position(position, decoder);
+    }
+
+    /// Here is zero.
+    pub fn zero(&mut self, axis: &Axis, decoder: i32) {
+        self.closed.zero(axis);
+        self.encoder.set_position(0, decoder);
+    }
+
+    /// The pulse that a target means; `None` if it is out of reach.
+    pub fn goal(&self, axis: &Axis, target: i32, ratio: Ratio) -> Option<i32> {
+        if self.closed.is_on() { self.closed.goal(axis, target, ratio) } else { Some(target) }
+    }
+
+    /// An axis that stands has nothing to do any more, nor has one whose path has ended.
+    pub fn settle(&mut self, is_moving: bool, path_ended: bool) {
+        let over = match self.task {
+            Task::Move { .. } | Task::Jog | Task::Stop => !is_moving,
+            Task::Path { .. } => path_ended,
+            Task::Rest | Task::Home(_) | Task::Follow => false,
+        };
+        if over {
+            self.task = Task::Rest;
+        }
+    }
+}

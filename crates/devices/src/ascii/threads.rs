@@ -1,0 +1,278 @@
+//! Standalone programs in time: when their next lines are due and what they wait for.
+//!
+//! A thread is taken up one batch of lines at a time ([`Threads::run`]); what a line says is the device's
+//! business, which then calls [`Threads::complete`], [`Threads::done`] or [`Threads::hold`].
+
+use crate::controller::{ProgramRun, ProgramState};
+use ascript::vm::{Exit, Memory, State, Thread};
+use motion::Ticks;
+
+/// Lines that are executed at most before anything else is looked at.
+const MAX_BATCH: u64 = 1 << 20;
+
+/// How long a compiled line takes: so many clocks by so many, because 100 µs need not be whole clocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineTime {
+    /// Clocks of so many lines.
+    pub clocks: Ticks,
+    /// How many lines.
+    pub lines: Ticks,
+}
+
+impl LineTime {
+    /// Lines of `micros` microseconds on a clock of `hz`.
+    pub const fn of_micros(micros: u32, hz: u32) -> Self {
+        Self { clocks: micros as Ticks * hz as Ticks, lines: 1_000_000 }.reduced()
+    }
+
+    /// The same with the smallest numbers.
+    const fn reduced(self) -> Self {
+        let (mut divisor, mut rest) = (self.clocks, self.lines);
+        while rest > 0 {
+            (divisor, rest) = (rest, divisor % rest);
+        }
+        Self { clocks: self.clocks / divisor, lines: self.lines / divisor }
+    }
+}
+
+/// What a thread waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// The end of an axis' motion.
+    Axis(usize),
+    /// A clock.
+    Until(Ticks),
+}
+
+/// A thread in time.
+#[derive(Debug)]
+struct Timed {
+    thread: Thread,
+    /// When its next line is executed, in parts of a clock: [`LineTime::lines`] of them are one.
+    next_at: Ticks,
+    hold: Option<Hold>,
+}
+
+impl Timed {
+    /// Whether lines are executed.
+    fn goes(&self) -> bool {
+        self.thread.state() == State::Running && self.hold.is_none()
+    }
+
+    fn is_active(&self) -> bool {
+        matches!(self.thread.state(), State::Running | State::Paused)
+    }
+
+    fn start(&mut self, line: u16, parts: Ticks) {
+        self.thread.start(line);
+        self.next_at = parts;
+        self.hold = None;
+    }
+}
+
+/// The threads of a device: its programs, and last that of the subroutines that a host starts.
+#[derive(Debug)]
+pub struct Threads<const N: usize> {
+    threads: [Timed; N],
+    line: LineTime,
+}
+
+impl<const N: usize> Threads<N> {
+    /// The thread of the host's subroutines.
+    pub const HOST: usize = N - 1;
+
+    /// Threads that do nothing.
+    pub fn new(line: LineTime) -> Self {
+        let thread = || Timed { thread: Thread::new(), next_at: 0, hold: None };
+        Self { threads: core::array::from_fn(|_| thread()), line }
+    }
+
+    /// Changes how long a line takes, before anything has started.
+    ///
+    /// # Panics
+    /// If it is nothing: a program would never let time pass.
+    pub fn set_line_clocks(&mut self, clocks: Ticks) {
+        assert!(clocks > 0, "a line takes time");
+        self.line = LineTime { clocks, lines: 1 };
+    }
+
+    fn parts(&self, clock: Ticks) -> Ticks {
+        clock * self.line.lines
+    }
+
+    /// The clock in which the parts are over.
+    fn clock(&self, parts: Ticks) -> Ticks {
+        parts.div_ceil(self.line.lines)
+    }
+
+    /// The thread whose next line is due first, and when.
+    pub fn next(&self, now: Ticks) -> Option<(Ticks, usize)> {
+        let threads = self.threads.iter().enumerate().filter(|(_, timed)| timed.goes());
+        threads.map(|(number, timed)| (self.clock(timed.next_at).max(now), number)).min()
+    }
+
+    /// When the first delay is over.
+    pub fn delay_due(&self) -> Option<Ticks> {
+        let until = |timed: &Timed| match timed.hold {
+            Some(Hold::Until(clock)) => Some(clock),
+            _ => None,
+        };
+        self.threads.iter().filter_map(until).min()
+    }
+
+    /// Runs a thread that is due now until `horizon`, before which nothing else happens, or until a line
+    /// comes that is the device's business. Gives the clock at which that line acts.
+    pub fn run<const LINES: usize, const VARIABLES: usize>(
+        &mut self,
+        number: usize,
+        memory: &mut Memory<LINES, VARIABLES>,
+        now: Ticks,
+        horizon: Ticks,
+    ) -> (Ticks, Exit) {
+        // Another thread has its turn in between.
+        let others = self.threads.iter().enumerate().filter(|(other, it)| *other != number && it.goes());
+        let horizon = others.map(|(_, timed)| self.clock(timed.next_at).max(now)).fold(horizon, Ticks::min);
+        let start = self.threads[number].next_at.max(self.parts(now.saturating_sub(1)) + 1);
+        let lines = self.parts(horizon).saturating_sub(start) / self.line.clocks + 1;
+        let timed = &mut self.threads[number];
+        let (executed, exit) = timed.thread.run(memory, lines.min(MAX_BATCH) as u32);
+        timed.next_at = start + Ticks::from(executed) * self.line.clocks;
+        let at = match exit {
+            // What is read is known when the line is over; what is done happens with its begin.
+            Exit::Write(..) | Exit::Do(_) => timed.next_at - self.line.clocks,
+            _ => timed.next_at,
+        };
+        (self.clock(at), exit)
+    }
+
+    /// The register that a thread reads has this value.
+    pub fn complete(&mut self, number: usize, value: i32) {
+        self.threads[number].thread.complete(value);
+    }
+
+    /// What a thread's line says is done.
+    pub fn done(&mut self, number: usize) {
+        self.threads[number].thread.done();
+    }
+
+    /// A thread waits.
+    pub fn hold(&mut self, number: usize, hold: Hold) {
+        self.threads[number].hold = Some(hold);
+    }
+
+    /// Ends the waits that are over.
+    pub fn end_waits(&mut self, now: Ticks, is_done: impl Fn(usize) -> bool) {
+        let LineTime { clocks, lines } = self.line;
+        for timed in &mut self.threads {
+            let next_at = match timed.hold {
+                // Whether an axis stands is looked at line by line.
+                Some(Hold::Axis(axis)) if is_done(axis) => now * lines + clocks,
+                Some(Hold::Until(clock)) if clock <= now => now * lines,
+                _ => continue,
+            };
+            timed.hold = None;
+            timed.thread.done();
+            timed.next_at = timed.next_at.max(next_at);
+        }
+    }
+
+    /// Whose error one of an axis is: that of the program that set it in motion, else of the first that runs.
+    pub fn responsible(&self, mover: Option<usize>) -> Option<usize> {
+        let active = |number: &usize| self.threads[*number].is_active();
+        mover.filter(active).or_else(|| (0..N).find(active))
+    }
+
+    /// To the error subroutine, which returns to the program's first line (`restart`) or to the present one,
+    /// or into the error state.
+    pub fn fail<const LINES: usize, const VARIABLES: usize>(
+        &mut self,
+        number: usize,
+        memory: &Memory<LINES, VARIABLES>,
+        restart: bool,
+        now: Ticks,
+    ) {
+        let parts = self.parts(now);
+        let timed = &mut self.threads[number];
+        timed.thread.fail(memory, restart);
+        timed.hold = None;
+        timed.next_at = timed.next_at.max(parts);
+    }
+
+    /// Starts a program or a subroutine at its first line.
+    pub fn start(&mut self, number: usize, line: u16, now: Ticks) {
+        let parts = self.parts(now);
+        self.threads[number].start(line, parts);
+    }
+
+    /// Ends a program.
+    pub fn stop(&mut self, number: usize) {
+        self.threads[number].thread.stop();
+        self.threads[number].hold = None;
+    }
+
+    /// A program is to go on later.
+    pub fn pause(&mut self, number: usize) {
+        self.threads[number].thread.pause();
+    }
+
+    /// A paused program goes on.
+    pub fn resume(&mut self, number: usize, now: Ticks) {
+        let parts = self.parts(now);
+        let timed = &mut self.threads[number];
+        timed.thread.resume();
+        timed.next_at = timed.next_at.max(parts);
+    }
+
+    /// What a thread is doing.
+    pub fn state(&self, number: usize) -> State {
+        self.threads[number].thread.state()
+    }
+
+    /// Whether a thread runs or is paused.
+    pub fn is_active(&self, number: usize) -> bool {
+        self.threads[number].is_active()
+    }
+
+    /// The line at which a thread is.
+    pub fn counter(&self, number: usize) -> u16 {
+        self.threads[number].thread.counter()
+    }
+
+    /// A program, for views; the host's thread is none.
+    pub fn view(&self, number: usize) -> Option<ProgramState> {
+        let thread = &self.threads[..Self::HOST].get(number)?.thread;
+        let run = match thread.state() {
+            State::Idle => ProgramRun::Idle,
+            State::Running => ProgramRun::Running,
+            State::Paused => ProgramRun::Paused,
+            State::Error => ProgramRun::Error,
+        };
+        Some(ProgramState { run, counter: thread.counter().into(), instructions: thread.instructions() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ascript::dialect::COMMANDER;
+
+    #[test]
+    fn lines_that_are_no_whole_clocks_add_up() {
+        let line = LineTime::of_micros(100, 19_660_800);
+        assert_eq!(line, LineTime { clocks: 49_152, lines: 25 });
+        let mut memory: Memory<8, 4> = Memory::new();
+        // V1=V1+1 for ever.
+        let source = "PRG 0\nWHILE 1=1\nV1=V1+1\nENDWHILE\nEND\n";
+        let code = ascript::compiler::compile("loop.prg", source.as_bytes(), &COMMANDER).code;
+        assert!(memory.load(&code.expect("it compiles").lines));
+        let mut threads: Threads<1> = Threads::new(line);
+        threads.start(0, memory.program(0).expect("program 0"), 0);
+        let second = 19_660_800;
+        while let Some((clock, number)) = threads.next(0).filter(|(clock, _)| *clock < second) {
+            // Cut at odd places.
+            threads.run(number, &mut memory, clock, clock + 7777);
+        }
+        let executed = threads.threads[0].thread.instructions();
+        assert_eq!(executed, 10_000);
+    }
+}
