@@ -7,6 +7,7 @@
 
 pub mod ascii;
 pub mod board;
+pub mod cmd4cr;
 pub mod controller;
 pub mod flash;
 #[cfg(feature = "std")]

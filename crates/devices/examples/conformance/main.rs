@@ -1,6 +1,7 @@
 //! Prints the conformance page of a controller: every entry of its manual's tables, from our tables, with the
 //! test that holds it. Fails if a test does not exist that the page, or that of the decisions, names.
 
+mod ascii;
 mod pd42;
 mod pmx2ed;
 

@@ -1,9 +1,10 @@
 //! The page of the PMX-2ED-SA.
 
+use crate::ascii::{form, row};
 use ascript::dialect::PERFORMAX_2;
 use ascript::isa;
-use devices::ascii::{Command, Form, Value};
-use devices::pmx2ed::table::{COMMANDS, Id};
+use devices::ascii::Value;
+use devices::pmx2ed::table::{AXES, COMMANDS, Id};
 use motion::pps::PERFORMAX;
 
 const HEAD: &str = "\
@@ -200,7 +201,7 @@ pub fn page() -> String {
     line("| command | values | default | unit | stored | section | what it does | example | test |".into());
     line("|---|---|---|---|---|---|---|---|---|".into());
     for command in COMMANDS {
-        line(row(command));
+        line(row(command, AXES));
     }
     line("\n## Errors (table 9.1)\n\n| reply | when | test |\n|---|---|---|".into());
     for (reply, when, test) in ERRORS {
@@ -220,7 +221,7 @@ pub fn page() -> String {
         } else {
             "every_item_of_table_7_15_is_stored"
         };
-        line(format!("| {} | `{test}` |", form(command)));
+        line(format!("| {} | `{test}` |", form(command, AXES)));
     }
     line("| DN | `every_item_of_table_7_15_is_stored` |".into());
     line("| V32 to V63 | `variables` |".into());
@@ -252,55 +253,4 @@ pub fn page() -> String {
         ));
     }
     page
-}
-
-fn row(command: &Command<Id>) -> String {
-    let (values, default, stored) = match command.value {
-        Value::None => (String::new(), String::new(), ""),
-        Value::Kept { decimals, low, high, default, stored } => {
-            (range(low, high, decimals), fixed(default, decimals), if stored { "STORE" } else { "" })
-        }
-        Value::Device { write: Some((low, high)), .. } => (range(low, high, 0), String::new(), ""),
-        Value::Device { write: None, .. } => ("read only".into(), String::new(), ""),
-        Value::Text { write: true, .. } => ("text".into(), String::new(), ""),
-        Value::Text { write: false, .. } => ("text, read only".into(), String::new(), ""),
-    };
-    let about = &command.about;
-    format!(
-        "| {} | {values} | {default} | {} | {stored} | {} | {} | `{}` | `{}` |",
-        form(command),
-        about.unit,
-        about.section,
-        about.text,
-        about.example,
-        about.test
-    )
-}
-
-fn range(low: i32, high: i32, decimals: u8) -> String {
-    match (low, high) {
-        (i32::MIN, i32::MAX) => "32 bits".into(),
-        _ => format!("{} to {}", fixed(low, decimals), fixed(high, decimals)),
-    }
-}
-
-fn fixed(value: i32, decimals: u8) -> String {
-    if decimals == 0 { value.to_string() } else { format!("{:.3}", f64::from(value) / 1000.0) }
-}
-
-/// A command as the manual writes it.
-fn form(command: &Command<Id>) -> String {
-    let name = command.name;
-    match command.form {
-        Form::Bare => name.into(),
-        Form::Axis => format!("{name}[axis]"),
-        Form::MaybeAxis => format!("{name}, {name}[axis]"),
-        Form::Index(low, high) => format!("{name}[{low}-{high}]"),
-        Form::MaybeIndex(low, high) => format!("{name}, {name}[{low}-{high}]"),
-        Form::Way => format!("{name}[axis][+/-]"),
-        Form::MaybeWay => format!("{name}[+/-], {name}[axis][+/-]"),
-        Form::AxisNumber => format!("{name}[axis][value]"),
-        Form::Targets => "X[target], Y[target], X[target]Y[target]".into(),
-        Form::Each => format!("{name}[X target]:[Y target]"),
-    }
 }

@@ -7,6 +7,12 @@ pub enum Form {
     Bare,
     /// An axis: `PX`.
     Axis,
+    /// One of the first so many axes: `JMAXX`.
+    AxisOf(u8),
+    /// An axis, or nothing, which means the first one: `SYNO`.
+    AxisOrFirst,
+    /// An axis, or nothing, which reads that of the first one and sets that of all: `ERCD=1`.
+    AxisOrEach,
     /// An axis or nothing, which means all of them or the global value: `ACC`, `ACCX`.
     MaybeAxis,
     /// A number in this range: `V12`.
@@ -21,8 +27,14 @@ pub enum Form {
     AxisNumber,
     /// Targets, each after the letter of its axis: `X1000Y-200`. The name is empty.
     Targets,
-    /// A target for each axis, with `:` between: `I1000:-200`.
-    Each,
+    /// So many numbers with `:` between: `I1000:-200`.
+    Numbers(u8),
+    /// An axis, a direction and a number in this range: `HX-12`.
+    WayMode(u8, u8),
+    /// Two different axes, which way to turn, and so many numbers: `CIRXYP1000:0`.
+    Plane(u8),
+    /// Which way to turn, and so many numbers; the plane is that of the first two axes: `CIRTP1000:0:500`.
+    Helix(u8),
 }
 
 /// What a command remembers, reads or takes after `=`.
@@ -133,7 +145,8 @@ impl<I> Command<I> {
     pub const fn places(&self, axes: usize) -> usize {
         match (self.value, self.form) {
             (Value::None | Value::Device { .. } | Value::Text { .. }, _) => 0,
-            (_, Form::Axis) => axes,
+            (_, Form::Axis | Form::AxisOrFirst | Form::AxisOrEach) => axes,
+            (_, Form::AxisOf(count)) => count as usize,
             (_, Form::MaybeAxis) => 1 + axes,
             (_, Form::Index(low, high)) => (high - low) as usize + 1,
             _ => 1,

@@ -2,20 +2,18 @@
 //!
 //! - [`command`]: what an entry of a device's table says, and the macro that makes tables.
 //! - [`mod@parse`]: from a line to the entry that it means, with its axis, index, targets and value.
-//! - [`cells`]: the numbers that commands remember.
-//! - [`refusal`]: why a command is not done, in the manual's words.
+//! - [`cells`]: the numbers that commands remember; [`memory`]: they, programs and variables in flash.
 //! - [`station`]: what an axis was told to do; [`encoder`]: its counter; [`speeds`]: how fast it goes.
 //! - [`threads`]: the standalone programs in time.
 
 pub mod cells;
 pub mod command;
 pub mod encoder;
+pub mod memory;
 pub mod parse;
-pub mod refusal;
 pub mod speeds;
 pub mod station;
 pub mod threads;
 
 pub use command::{Command, Form, Value};
-pub use parse::{Parsed, parse};
-pub use refusal::Refusal;
+pub use parse::{ParseError, Parsed, Turn, parse};

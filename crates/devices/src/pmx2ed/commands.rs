@@ -1,9 +1,10 @@
 //! What each command does: from a line of text to its reply (manual, section 9).
 
+use super::refusal::Refusal;
 use super::table::{AXES, AXIS_COUNT, COMMANDS, Id};
 use super::{Pmx2ed, joystick, polarity};
 use crate::ascii::station::Halt;
-use crate::ascii::{Parsed, Refusal, Value, parse};
+use crate::ascii::{Parsed, Value, parse};
 use crate::board::Board;
 use crate::flash::Flash;
 use core::fmt::Write;
@@ -24,7 +25,7 @@ impl<F: Flash> Pmx2ed<F> {
     /// Does what a line says and gives the reply.
     pub fn answer(&mut self, text: &str, board: &mut dyn Board) -> Reply {
         let mut reply = Reply::new();
-        let done = parse(COMMANDS, AXES, text).and_then(|line| match line.value {
+        let done = parse(COMMANDS, AXES, text).map_err(Refusal::from).and_then(|line| match line.value {
             None if line.command.value == Value::None => self.act(&line, board).map(|()| false),
             None => {
                 self.ask(&line, &mut reply, board);
@@ -200,7 +201,10 @@ impl<F: Flash> Pmx2ed<F> {
                 let (axis, way) = axis.zip(line.way).ok_or(Refusal::Unknown)?;
                 self.home(line.command.id, axis, way, None, board)?;
             }
-            Id::Move | Id::Interpolate => self.move_to([line.targets[0], line.targets[1]], None, board)?,
+            Id::Move => self.move_to([line.targets[0], line.targets[1]], None, board)?,
+            Id::Interpolate => {
+                self.move_to([Some(line.numbers[0]), Some(line.numbers[1])], None, board)?;
+            }
             Id::Target => {
                 let axis = axis.ok_or(Refusal::Unknown)?;
                 self.change_target(axis, line.targets[axis].ok_or(Refusal::Value)?)?;

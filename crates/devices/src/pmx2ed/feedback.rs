@@ -1,8 +1,8 @@
 //! Encoders and StepNLoop (manual, sections 7.4 and 7.17).
 
 use super::Pmx2ed;
+use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
-use crate::ascii::Refusal;
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;

@@ -1,9 +1,10 @@
 //! Joystick control (manual, section 7.15).
 
+use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
 use super::{Pmx2ed, pins};
+use crate::ascii::speeds;
 use crate::ascii::station::Task;
-use crate::ascii::{Refusal, speeds};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::joystick::{Joystick, Settings, SoftLimits};

@@ -17,6 +17,7 @@ mod motion;
 mod pins;
 pub mod polarity;
 mod program;
+mod refusal;
 pub mod table;
 mod wire;
 
@@ -72,7 +73,7 @@ pub struct Pmx2ed<F: Flash> {
 impl<F: Flash> Pmx2ed<F> {
     /// A controller that has just been switched on, at clock 0.
     pub fn new(flash: F) -> Self {
-        let memory = Memory::open(flash);
+        let memory = Memory::open(flash, &memory::LAYOUT);
         let stations = core::array::from_fn(|axis| {
             let word = memory.cells.at(table::Id::Polarity, axis);
             Station::new(Encoder::new(0, polarity::decoding_shift(word)))

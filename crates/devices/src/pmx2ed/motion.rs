@@ -1,9 +1,9 @@
 //! Moves, jogs and stops of both axes, and what limits do to them (manual, sections 7.1 to 7.11).
 
 use super::pins::number as pin;
+use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
 use super::{FAMILY, MAX_SPEED_PPS, Pmx2ed};
-use crate::ascii::Refusal;
 use crate::ascii::speeds::{self, Speeds};
 use crate::ascii::station::{Halt, SIDES, Task, side};
 use crate::board::Board;

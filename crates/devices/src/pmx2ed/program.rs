@@ -1,11 +1,12 @@
 //! The standalone programs in time: when their next lines are due, their waits, and what they do to the
 //! controller (manual, sections 7.19 and 10).
 
+use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
+use crate::ascii::command::Id as _;
 use crate::ascii::station::Halt;
 use crate::ascii::threads::{Hold, Threads};
-use crate::ascii::{Refusal, command::Id as _};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::{Direction, Ticks};

@@ -2,7 +2,7 @@
 
 use super::polarity;
 use crate::ascii::command::{Form, Value, commands};
-use Form::{Axis, AxisNumber, Bare, Each, Index, MaybeAxis, MaybeIndex, MaybeWay, Targets, Way};
+use Form::{Axis, AxisNumber, Bare, Index, MaybeAxis, MaybeIndex, MaybeWay, Numbers, Targets, Way};
 
 /// The letters of the axes.
 pub const AXES: &str = "XY";
@@ -75,7 +75,7 @@ COMMANDS: Id {
     Identity "ID" Bare, Value::Text { read: true, write: false }; "" "9.1" "ID" "PERFORMAX-2ED-SA." identity;
     IgnoreErrors "IERR" Bare, stored(0, 1, 0); "" "7.11" "IERR=1" "1: limits stop the axis without latching an error." limits_latch_errors;
     Incremental "INC" Bare, ACTS; "" "7.8" "INC" "Targets of moves count from the position." absolute_and_incremental_moves;
-    Interpolate "I" Each, ACTS; "" "7.8.2" "I1000:-1000" "Moves both axes along a line." interpolated_moves;
+    Interpolate "I" Numbers(2), ACTS; "" "7.8.2" "I1000:-1000" "Moves both axes along a line." interpolated_moves;
     JoystickOff "JF" Bare, ACTS; "" "7.15" "JF" "Joystick control off." joystick_control;
     JoystickLimits "JL" Index(1, 8), stored(i32::MIN, i32::MAX, 0); "pulses" "7.15" "JL4=10000" "Soft limits of the joystick: X negative outer, inner, positive inner, outer, then Y." joystick_control;
     JoystickOn "JO" Bare, ACTS; "" "7.15" "JO" "Joystick control of both axes on." joystick_control;

@@ -1,8 +1,8 @@
 //! Bytes in, replies out, and the communication time-out (manual, sections 6.2 and 7.18).
 
+use super::refusal::Refusal;
 use super::table::Id;
 use super::{MILLISECOND, Pmx2ed};
-use crate::ascii::Refusal;
 use crate::board::{Board, Port};
 use crate::flash::Flash;
 use ::motion::Ticks;

@@ -1,5 +1,7 @@
 //! Why a command is not done. Nothing has changed then.
 
+use crate::ascii::ParseError;
+
 /// The reasons that have a reply (PMX-2ED-SA manual, table 9.1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
@@ -48,6 +50,16 @@ impl Refusal {
             Self::NoWindow => "?SSPD Mode not Initialized",
             Self::NoSubroutine => "?Sub not Initialized",
             Self::State => "?State Error",
+        }
+    }
+}
+
+impl From<ParseError> for Refusal {
+    fn from(error: ParseError) -> Self {
+        match error {
+            ParseError::Unknown => Self::Unknown,
+            ParseError::Index => Self::Index,
+            ParseError::Value => Self::Value,
         }
     }
 }

@@ -1,0 +1,10 @@
+//! Nippon Pulse CMD-4CR (Commander core) with firmware V126BL: four axes, and programs in A-SCRIPT.
+//!
+//! - [`table`]: the commands; [`refusal`]: why one is not done.
+//! - [`memory`]: what is remembered, in RAM and flash.
+//! - [`polarity`]: the bits that invert inputs and outputs.
+
+pub mod memory;
+pub mod polarity;
+pub mod refusal;
+pub mod table;
