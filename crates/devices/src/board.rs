@@ -45,8 +45,16 @@ pub trait Board {
     /// Bytes leave through a port. `delay_ms` is the pause that the controller was told to keep first.
     fn send(&mut self, port: Port, bytes: &[u8], delay_ms: u32);
 
-    /// An output pin changes; numbers as in [`Controller::pins`](crate::Controller::pins).
+    /// An output pin changes; numbers as in [`Controller::pins`](crate::Controller::pins). A port is an
+    /// output from now on.
     fn output(&mut self, pin: usize, on: bool);
+
+    /// A port becomes an input: what is outside decides its level. Where that is another than the
+    /// controller was told last, it is told.
+    fn release(&mut self, pin: usize);
+
+    /// An analog output changes, in the board's integers: units of the pin times its scale.
+    fn output_analog(&mut self, pin: usize, value: i32);
 
     /// The counter of an encoder's decoder, as it stands now.
     fn encoder(&mut self, channel: usize) -> i32;

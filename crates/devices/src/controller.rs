@@ -64,10 +64,31 @@ pub enum PinKind {
     Input,
     /// On or off, driven by the controller.
     Output,
+    /// On or off: an input until the controller drives it, and again when it lets go.
+    Port,
     /// A number, driven from outside.
     Analog,
+    /// A number, driven by the controller.
+    AnalogOutput,
     /// The null or index channel of the encoder with this number.
     Index(usize),
+}
+
+impl PinKind {
+    /// Whether it has a number on it, and not a level.
+    pub const fn is_analog(self) -> bool {
+        matches!(self, Self::Analog | Self::AnalogOutput)
+    }
+
+    /// Whether the controller drives it, always.
+    pub const fn is_output(self) -> bool {
+        matches!(self, Self::Output | Self::AnalogOutput)
+    }
+
+    /// Whether the controller is told of its changes, where it is not an output now.
+    pub const fn is_told(self) -> bool {
+        matches!(self, Self::Input | Self::Port | Self::Index(_))
+    }
 }
 
 /// Which part of a machine a pin usually hangs on.
@@ -83,6 +104,10 @@ pub enum Wiring {
     Home(usize),
     /// The index mark of the axis' encoder.
     Index(usize),
+    /// The slowdown switch of the axis.
+    Slowdown(usize),
+    /// The signal of the axis' servo driver that it has followed all pulses.
+    InPosition(usize),
     /// The motor supply.
     Supply,
     /// The temperature of the driver.
@@ -151,6 +176,30 @@ pub trait Controller {
     /// An analog input changed; the value is read from the board. Only for pins that the controller
     /// compares with thresholds, as the supply.
     fn analog_changed(&mut self, pin: usize, board: &mut dyn Board);
+
+    /// Whether an axis has an input for a manual pulse generator, or an encoder to follow.
+    fn has_pulser(&self, _axis: usize) -> bool {
+        false
+    }
+
+    /// Whether counts at the pulser input of an axis matter now. Those of an encoder that it follows come
+    /// in the clock in which the encoder counts.
+    fn watches_pulser(&self, _axis: usize) -> bool {
+        false
+    }
+
+    /// Counts arrive at the pulser input of an axis: edges of both phases, up or down.
+    fn pulser(&mut self, _axis: usize, _counts: i32, _board: &mut dyn Board) {}
+
+    /// The counts of an encoder's decoder that have to be told: those strictly between these two need not.
+    /// Counts wrap, so two equal ones leave out all others.
+    fn encoder_window(&self, _channel: usize) -> Option<(i32, i32)> {
+        None
+    }
+
+    /// An encoder's decoder has arrived at an end of its [window](Self::encoder_window) or beyond. The
+    /// window is around its count from then on.
+    fn encoder_moved(&mut self, _channel: usize, _board: &mut dyn Board) {}
 
     /// Nothing outside changes while the axis' odometer (net pulses since power-up) stays strictly
     /// between `low` and `high`; [`advance`](Self::advance) stops where it arrives at one of them.

@@ -250,7 +250,7 @@ impl<F: Flash> Controller for Pd42<F> {
         match pins::PINS.get(pin).map(|pin| pin.kind) {
             Some(PinKind::Index(_)) => self.encoders.watches_null(),
             Some(PinKind::Input | PinKind::Analog) => true,
-            Some(PinKind::Output) | None => false,
+            _ => false,
         }
     }
 

@@ -214,7 +214,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
             Some(PinKind::Index(_)) => self.watches_homing(number),
             Some(PinKind::Input) => true,
             // Analog inputs are read when they are asked for.
-            Some(PinKind::Analog | PinKind::Output) | None => false,
+            _ => false,
         }
     }
 

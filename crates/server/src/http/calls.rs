@@ -101,6 +101,21 @@ pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body:
     Ok(StatusCode::NO_CONTENT)
 }
 
+/// `POST /api/devices/NAME/mpg/AXIS`
+pub async fn turn_pulser(
+    State(site): Shared,
+    place: Place<(String, String)>,
+    body: Body,
+) -> Answer<StatusCode> {
+    let (name, axis) = at(place)?;
+    let unit = site.unit(&name)?;
+    let value = json(body)?;
+    let counts =
+        value.as_i64().ok_or_else(|| unprocessable(format!("`{value}` is not a number of counts")))?;
+    unit.with(|device| device.pulser(&axis, counts))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
 /// `POST /api/devices/NAME/power-cycle`
 pub async fn power_cycle(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
     site.unit(&at(place)?)?.with(|device| device.power_cycle());
@@ -126,7 +141,7 @@ impl From<PinError> for Failure {
 impl From<AxisError> for Failure {
     fn from(error: AxisError) -> Self {
         let status = match error {
-            AxisError::Unknown { .. } => StatusCode::NOT_FOUND,
+            AxisError::Unknown { .. } | AxisError::NoPulser(_) => StatusCode::NOT_FOUND,
             AxisError::Range => StatusCode::UNPROCESSABLE_ENTITY,
         };
         Self::new(status, error.to_string())

@@ -70,6 +70,7 @@ fn routes(site: Arc<Site>) -> Router {
         .route("/stream", get(calls::stream))
         .route("/pins/{pin}", get(calls::read_pin).put(calls::drive_pin).delete(calls::release_pin))
         .route("/axes/{axis}/load", put(calls::set_load))
+        .route("/mpg/{axis}", post(calls::turn_pulser))
         .route("/power-cycle", post(calls::power_cycle))
         .route("/power-cut", post(calls::power_cut));
     Router::new()

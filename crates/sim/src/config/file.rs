@@ -186,6 +186,7 @@ fn axis_config(
         backlash: entry.backlash.unwrap_or(usual.backlash),
         load: entry.load.unwrap_or(usual.load),
         hard_stops: entry.hard_stops,
+        ..usual
     };
     let [home, stops] = [config.home, config.hard_stops.unwrap_or([-1, 1])];
     let positions = [

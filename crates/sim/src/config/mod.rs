@@ -24,6 +24,9 @@ pub const DEFAULT_SUPPLY_V: f64 = 24.0;
 /// Temperature of the driver stage where a bench file names none, in °C.
 pub const DEFAULT_TEMPERATURE_C: f64 = 25.0;
 
+/// Counts a second of a hand wheel where a bench file names none.
+pub const DEFAULT_MPG_HZ: u32 = 10_000;
+
 /// A bench file: all devices on the bench.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bench {
@@ -136,6 +139,16 @@ pub struct AxisConfig {
     pub load: f64,
     /// Where the axis hits something that does not give way, if anywhere: it stalls there.
     pub hard_stops: Option<[i64; 2]>,
+    /// The slowdown switch is on from the first to the second position, both included; where a second zone
+    /// is given, it lies above.
+    pub slowdown: [Option<[i64; 2]>; 2],
+    /// How long after a pulse that no other follows a servo driver says that it is in position; without it
+    /// there is none that does.
+    pub in_position_ms: Option<u32>,
+    /// The axis, by its number, whose encoder is wired to the MPG input of this one.
+    pub mpg_from: Option<usize>,
+    /// Counts a second that a hand wheel at the MPG input gives.
+    pub mpg_hz: u32,
 }
 
 impl AxisConfig {
@@ -151,6 +164,10 @@ impl AxisConfig {
             backlash: 0,
             load: 0.0,
             hard_stops: None,
+            slowdown: [None; 2],
+            in_position_ms: None,
+            mpg_from: None,
+            mpg_hz: DEFAULT_MPG_HZ,
         }
     }
 }

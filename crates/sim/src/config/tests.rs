@@ -49,6 +49,7 @@ fn everything_can_be_said() {
         backlash: 3,
         load: 0.25,
         hard_stops: Some([-21_000, 1_001_000]),
+        ..AxisConfig::of_model("test")
     };
     let first = DeviceConfig {
         name: "stage".into(),
@@ -75,6 +76,10 @@ fn defaults_belong_to_the_model() {
         backlash: 0,
         load: 0.0,
         hard_stops: None,
+        slowdown: [None; 2],
+        in_position_ms: None,
+        mpg_from: None,
+        mpg_hz: 10_000,
     };
     assert_eq!(AxisConfig::of_model("pmx-2ed"), usual);
     assert_eq!(DeviceConfig::new(&MODELS[0]).axis("0"), AxisConfig::of_model("test"));

@@ -2,36 +2,37 @@
 
 mod pins;
 mod schedule;
+mod settle;
 mod state;
 #[cfg(test)]
 mod tests;
+mod wheel;
 mod world;
 
 pub use pins::{ParsePinValueError, PinError, PinValue};
 pub use schedule::{Input, TimedInput, TimedInputError};
 pub use state::{AxisView, DeviceState, ProgramView};
-pub use world::{MAX_SENT, Sent};
+pub use wheel::MAX_COUNTS;
+pub use world::{MAX_CONTACTS, MAX_SENT, Sent};
 
 use crate::{
     config::{DeviceConfig, MAX_PULSES},
     flash::SharedFlash,
     record::{Mark, RecordError, RecordInfo, Recorder},
 };
-use devices::{AxisState, Controller, Drive, Notice, Pin, PinKind, Port, ProgramState};
+use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramState};
 use motion::Ticks;
 use schedule::Schedule;
-use world::World;
+use wheel::Wheel;
+use world::{Stirred, World};
 
 /// How often something may happen at one and the same clock before it is a fault of the controller.
 const MAX_STANDSTILL: u32 = 100_000;
 
-/// How often inputs may change one another at one and the same clock.
-const MAX_SETTLING: u32 = 1000;
-
 /// Most programs of a device.
 const MAX_PROGRAMS: usize = 16;
 
-/// Why an axis cannot be loaded or pushed.
+/// Why an axis cannot be loaded, pushed or turned by hand.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum AxisError {
     /// The device has no such axis.
@@ -42,7 +43,11 @@ pub enum AxisError {
         /// All names.
         known: String,
     },
-    /// A load is a number from 0 to 1000; a push goes, and pulses are lost, [`MAX_PULSES`] at most.
+    /// It has no input for a manual pulse generator.
+    #[error("axis `{0}` has no MPG input")]
+    NoPulser(String),
+    /// A load is a number from 0 to 1000; a push goes, and pulses are lost, [`MAX_PULSES`] at most; no more
+    /// than [`MAX_COUNTS`] of a hand wheel may be waiting.
     #[error("the value is out of range")]
     Range,
 }
@@ -59,10 +64,10 @@ pub struct VirtualDevice {
     clock_hz: u32,
     world: World,
     schedule: Schedule,
+    /// The hand wheel at each axis.
+    wheels: Vec<Wheel>,
     /// The level of each input as the controller knows it.
     told: Vec<i32>,
-    /// The inputs that were watched when the windows were reckoned.
-    watched: u64,
     /// Where each pin's shaft was then.
     places: Vec<i64>,
     movements: Vec<Movement>,
@@ -86,6 +91,7 @@ impl VirtualDevice {
         let controller = (config.model.build)(Box::new(flash.clone()), seed);
         let (axes, pins, clock_hz) = (controller.axes(), controller.pins(), controller.clock_hz());
         let world = World::new(config, axes, pins, flash.clone(), clock_hz);
+        let wheels = axes.iter().map(|axis| Wheel::new(config.axis(axis).mpg_hz, clock_hz)).collect();
         let mut device = Self {
             config: config.clone(),
             seed,
@@ -93,9 +99,9 @@ impl VirtualDevice {
             clock_hz,
             world,
             schedule: Schedule::default(),
+            wheels,
             told: Vec::new(),
             places: Vec::new(),
-            watched: 0,
             movements: Vec::new(),
             controller,
         };
@@ -137,13 +143,18 @@ impl VirtualDevice {
     pub fn wake(&self) -> Ticks {
         let own = self.controller.wake();
         let own = if own == Ticks::MAX { own } else { own.saturating_add(self.world.origin) };
-        own.min(self.schedule.next()).min(self.world.next_sample())
+        own.min(self.outside()).min(self.world.next_sample())
     }
 
     /// The device time at which something has to be done here. Recordings look at the axes wherever
     /// something happens.
     fn stop(&self) -> Ticks {
-        if self.world.is_recording() { self.wake() } else { self.schedule.next() }
+        if self.world.is_recording() { self.wake() } else { self.outside() }
+    }
+
+    /// The device time at which something outside happens by itself.
+    fn outside(&self) -> Ticks {
+        self.schedule.next().min(self.next_turn()).min(self.world.machine.in_position_at())
     }
 
     /// Lets time pass until the end of clock `until`. An earlier time than now is now.
@@ -196,13 +207,17 @@ impl VirtualDevice {
         Ok(pins::from_level(&self.pins()[pin], self.world.level(pin)))
     }
 
-    /// Drives an input by hand, whatever the machine does, until it is released.
+    /// Drives an input by hand, whatever the machine does, until it is released. A port that becomes an
+    /// output meanwhile is the controller's, and the hand's again afterwards.
     ///
     /// # Errors
     /// [`PinError`].
     pub fn drive_pin(&mut self, name: &str, value: PinValue) -> Result<(), PinError> {
         let pin = pins::find(self.pins(), name)?;
         let level = pins::to_drive(&self.pins()[pin], value)?;
+        if self.world.is_output(pin) {
+            return Err(PinError::Driven(name.into()));
+        }
         self.put(pin, Some(level));
         Ok(())
     }
@@ -218,7 +233,8 @@ impl VirtualDevice {
     }
 
     /// Plans a change of an input for device time `at`; an earlier time than now is now. For a digital
-    /// pin the numbers 0 and 1 are levels too.
+    /// pin the numbers 0 and 1 are levels too. A port that is an output then takes the level when it becomes
+    /// an input.
     ///
     /// # Errors
     /// [`PinError`].
@@ -227,7 +243,7 @@ impl VirtualDevice {
         let level = match input.value {
             None => None,
             Some(value) => {
-                let digital = self.pins()[pin].kind != PinKind::Analog;
+                let digital = !self.pins()[pin].kind.is_analog();
                 let value = match value {
                     PinValue::Number(number) if digital && (number == 0.0 || number == 1.0) => {
                         PinValue::Level(number == 1.0)
@@ -267,7 +283,7 @@ impl VirtualDevice {
         }
         self.world.machine.push(axis, distance);
         self.world.windows[axis] = None;
-        self.world.stirred = true;
+        self.world.stir(Stirred::Contacts);
         self.settle();
         Ok(())
     }
@@ -285,6 +301,21 @@ impl VirtualDevice {
         self.world.windows[axis] = None;
         self.settle();
         Ok(())
+    }
+
+    /// Turns the hand wheel at the MPG input of an axis so many counts: edges of both its phases. They
+    /// arrive one by one, [`AxisConfig::mpg_hz`](crate::AxisConfig) of them a second, after those that are
+    /// still to come.
+    ///
+    /// # Errors
+    /// [`AxisError`].
+    pub fn pulser(&mut self, axis: &str, counts: i64) -> Result<(), AxisError> {
+        let name = axis;
+        let axis = self.axis_index(name)?;
+        if !self.controller.has_pulser(axis) {
+            return Err(AxisError::NoPulser(name.into()));
+        }
+        self.wheels[axis].turn(counts, self.world.now()).map_err(|_| AxisError::Range)
     }
 
     /// What the driver stage of an axis does.
@@ -383,7 +414,7 @@ impl VirtualDevice {
 
     fn input_pin(&self, name: &str) -> Result<usize, PinError> {
         let pin = pins::find(self.pins(), name)?;
-        if self.pins()[pin].kind == PinKind::Output {
+        if self.pins()[pin].kind.is_output() {
             return Err(PinError::Output(name.into()));
         }
         Ok(pin)
@@ -393,7 +424,7 @@ impl VirtualDevice {
     fn put(&mut self, pin: usize, level: Option<i32>) {
         let before = self.world.level(pin);
         self.world.drive_input(pin, level);
-        if self.pins()[pin].kind == PinKind::Analog {
+        if self.pins()[pin].kind.is_analog() {
             let level = self.world.level(pin);
             if level != before {
                 self.world.record_pin(pin, level);
@@ -417,11 +448,11 @@ impl VirtualDevice {
         self.places = (0..pins.len()).map(|pin| self.world.machine.place_of(pin)).collect();
         self.world.set_clock(0);
         for (pin, description) in pins.iter().enumerate() {
-            if description.kind == PinKind::Analog && self.world.level(pin) != description.rest {
+            if description.kind.is_analog() && self.world.level(pin) != description.rest {
                 self.controller.analog_changed(pin, &mut self.world);
             }
         }
-        self.world.stirred = true;
+        self.world.stirred = Stirred::Pins;
         self.settle();
         self.controller.advance(0, &mut self.world);
         self.settle();
@@ -433,64 +464,15 @@ impl VirtualDevice {
         // Less than was asked for where a shaft has come to the edge of its window.
         let clock = self.controller.advance(now - self.world.origin, &mut self.world);
         self.world.set_clock(clock);
+        self.world.settle_servos();
         self.settle();
+        self.turn_wheels();
         while let Some(due) = self.schedule.take(self.now()) {
             self.put(due.pin, due.level);
         }
         if self.world.is_recording() {
             self.record();
         }
-    }
-
-    /// Tells the controller of inputs that changed, until none does, and how far it can go from there.
-    fn settle(&mut self) {
-        let mut rounds = 0;
-        while std::mem::take(&mut self.world.stirred) {
-            for pin in 0..self.world.pins.len() {
-                self.look_at(pin);
-            }
-            rounds += 1;
-            assert!(rounds < MAX_SETTLING, "the inputs of {} do not settle", self.config.name);
-        }
-        let watched = self.world.watched(self.controller.as_ref());
-        let changed = std::mem::replace(&mut self.watched, watched) != watched;
-        for axis in 0..self.world.windows.len() {
-            if !changed && !self.world.is_window_stale(axis) {
-                continue;
-            }
-            let window = self.world.window(axis, self.controller.as_ref());
-            if self.world.windows[axis] != Some(window) {
-                self.world.windows[axis] = Some(window);
-                self.controller.set_window(axis, window.0, window.1);
-            }
-        }
-    }
-
-    fn look_at(&mut self, pin: usize) {
-        if !matches!(self.world.pins[pin].kind, PinKind::Input | PinKind::Index(_)) {
-            return;
-        }
-        let from = std::mem::replace(&mut self.places[pin], self.world.machine.place_of(pin));
-        let level = self.world.level(pin);
-        if level != self.told[pin] {
-            self.tell(pin, level);
-        } else if self.world.is_free(pin)
-            && self.world.machine.is_jumped(pin, from)
-            && self.world.watches(pin, self.controller.as_ref())
-        {
-            // Full steps are longer than some marks: it was on within a pulse.
-            self.tell(pin, 1 - level);
-            self.tell(pin, level);
-        }
-    }
-
-    fn tell(&mut self, pin: usize, level: i32) {
-        self.told[pin] = level;
-        // A mark that nobody watches is seen late, if at all: a recording had better not name it.
-        if self.world.watches(pin, self.controller.as_ref()) {
-            self.world.record_pin(pin, level);
-        }
-        self.controller.input(pin, level != 0, &mut self.world);
     }
 
     fn movement(&mut self) -> Vec<Movement> {

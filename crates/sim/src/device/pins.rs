@@ -27,6 +27,9 @@ pub enum PinError {
     /// It is an output: only the controller drives it.
     #[error("`{0}` is an output, only the controller drives it")]
     Output(String),
+    /// It is an output now: the controller drives it.
+    #[error("`{0}` is an output now, the controller drives it")]
+    Driven(String),
     /// A digital pin takes true and false.
     #[error("`{0}` is digital: true or false")]
     NeedsLevel(String),
@@ -55,9 +58,11 @@ pub(super) fn find(pins: &[Pin], name: &str) -> Result<usize, PinError> {
 pub(super) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
     let name = || pin.name.to_owned();
     match (pin.kind, value) {
-        (PinKind::Output, _) => Err(PinError::Output(name())),
-        (PinKind::Input | PinKind::Index(_), PinValue::Level(on)) => Ok(i32::from(on)),
-        (PinKind::Input | PinKind::Index(_), PinValue::Number(_)) => Err(PinError::NeedsLevel(name())),
+        (PinKind::Output | PinKind::AnalogOutput, _) => Err(PinError::Output(name())),
+        (PinKind::Input | PinKind::Port | PinKind::Index(_), PinValue::Level(on)) => Ok(i32::from(on)),
+        (PinKind::Input | PinKind::Port | PinKind::Index(_), PinValue::Number(_)) => {
+            Err(PinError::NeedsLevel(name()))
+        }
         (PinKind::Analog, PinValue::Level(_)) => Err(PinError::NeedsNumber { name: name(), unit: pin.unit }),
         (PinKind::Analog, PinValue::Number(number)) => {
             let rounded = (number * f64::from(pin.scale)).round();
@@ -70,9 +75,10 @@ pub(super) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
 
 /// What a level or number of a pin means.
 pub(super) fn from_level(pin: &Pin, level: i32) -> PinValue {
-    match pin.kind {
-        PinKind::Analog => PinValue::Number(f64::from(level) / f64::from(pin.scale)),
-        _ => PinValue::Level(level != 0),
+    if pin.kind.is_analog() {
+        PinValue::Number(f64::from(level) / f64::from(pin.scale))
+    } else {
+        PinValue::Level(level != 0)
     }
 }
 

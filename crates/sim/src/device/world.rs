@@ -26,6 +26,42 @@ pub struct Sent {
     pub bytes: Vec<u8>,
 }
 
+/// Most pins that hang on the axes of a device.
+pub const MAX_CONTACTS: usize = u64::BITS as usize;
+
+/// Which inputs may have changed since they were last looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub(super) enum Stirred {
+    #[default]
+    None,
+    /// Those that hang on the axes.
+    Contacts,
+    /// Any.
+    Pins,
+}
+
+/// What the windows of the axes are reckoned from, beside where the shafts are.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Watched {
+    /// The contacts, as bits in their order.
+    contacts: u64,
+    /// The window that the controller has for each encoder.
+    encoders: Vec<Option<(i32, i32)>>,
+    /// Whether an axis follows each encoder.
+    followed: Vec<bool>,
+}
+
+/// An axis' pulser input that is wired to an encoder.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Follower {
+    pub axis: usize,
+    pub channel: usize,
+    /// The encoder's count that the controller knows.
+    pub count: i32,
+    /// Whether the controller had use for it when it was looked at last.
+    pub watched: bool,
+}
+
 /// A recorder with its next sample.
 struct Recording {
     recorder: Box<dyn Recorder + Send>,
@@ -42,10 +78,17 @@ pub(super) struct World {
     /// The controller's clock.
     pub clock: Ticks,
     pub sent: VecDeque<Sent>,
-    /// The level of each output, and of each input that was driven by hand.
-    driven: Vec<Option<i32>>,
-    /// Pulses came or pins were driven since the inputs were last looked at.
-    pub stirred: bool,
+    /// The pins that hang on the axes.
+    pub contacts: Vec<usize>,
+    /// What the controller has put on each pin.
+    outputs: Vec<Option<i32>>,
+    /// What each pin is driven to by hand. A port that is an output does not show it.
+    hands: Vec<Option<i32>>,
+    /// What the recordings were told of each pin last.
+    shown: Vec<i32>,
+    pub stirred: Stirred,
+    watched: Watched,
+    pub followers: Vec<Follower>,
     /// The odometer window of each axis that the controller was given.
     pub windows: Vec<Option<(i64, i64)>>,
     recordings: Vec<Recording>,
@@ -61,20 +104,35 @@ impl World {
         flash: SharedFlash,
         clock_hz: u32,
     ) -> Self {
-        assert!(pins.len() <= 64, "watched pins are bits of a word");
+        let machine = Machine::new(config, axes, pins, clock_hz);
+        let contacts: Vec<_> = (0..pins.len()).filter(|pin| machine.hangs_on_axis(*pin)).collect();
+        assert!(contacts.len() <= MAX_CONTACTS, "watched contacts are bits of a word");
+        let follower = |(axis, name): (usize, &&str)| {
+            let channel = machine.encoder_of(config.axis(name).mpg_from?)?;
+            Some(Follower { axis, channel, count: 0, watched: false })
+        };
         Self {
-            machine: Machine::new(config, axes, pins),
+            followers: axes.iter().enumerate().filter_map(follower).collect(),
+            watched: Watched {
+                contacts: 0,
+                encoders: vec![None; machine.encoders()],
+                followed: vec![false; machine.encoders()],
+            },
+            machine,
             flash,
             clock_hz,
             pins,
             origin: 0,
             clock: 0,
             sent: VecDeque::new(),
-            driven: vec![None; pins.len()],
-            stirred: true,
+            outputs: vec![None; pins.len()],
+            hands: vec![None; pins.len()],
+            shown: vec![0; pins.len()],
+            stirred: Stirred::Pins,
             windows: vec![None; axes.len()],
             recordings: Vec::new(),
-            edges: Vec::with_capacity(pins.len()),
+            edges: Vec::with_capacity(contacts.len()),
+            contacts,
         }
     }
 
@@ -94,38 +152,45 @@ impl World {
         self.origin = self.now();
         self.clock = 0;
         self.machine.power_up();
-        self.stirred = true;
+        self.stirred = Stirred::Pins;
         self.windows.fill(None);
         for pin in 0..self.pins.len() {
-            if self.pins[pin].kind == PinKind::Output && self.driven[pin].take().is_some() {
-                self.record_pin(pin, self.pins[pin].rest);
+            if self.outputs[pin].take().is_some() {
+                self.record_pin(pin, self.level(pin));
             }
         }
     }
 
-    /// What is on a pin: what drives it by hand, else the machine, else nothing.
+    /// What is on a pin: what the controller drives, else what a hand does, else the machine, else nothing.
     pub fn level(&self, pin: usize) -> i32 {
         let rest = self.pins[pin].rest;
-        if let Some(level) = self.driven[pin] {
+        if let Some(level) = self.outputs[pin].or(self.hands[pin]) {
             return level;
         }
-        match (self.pins[pin].kind, self.machine.is_on(pin)) {
-            (PinKind::Analog, _) => self.machine.quantity(pin),
-            // A pin that rests at 1 is pulled down by its switch.
-            (_, Some(true)) => i32::from(rest == 0),
-            (_, _) => rest,
+        if self.pins[pin].kind.is_analog() {
+            return self.machine.quantity(pin);
         }
+        match self.machine.is_on(pin, self.now()) {
+            // A pin that rests at 1 is pulled down by its switch.
+            Some(true) => i32::from(rest == 0),
+            _ => rest,
+        }
+    }
+
+    /// Whether the controller drives a pin now.
+    pub fn is_output(&self, pin: usize) -> bool {
+        self.pins[pin].kind.is_output() || self.outputs[pin].is_some()
     }
 
     /// Whether the machine, and nobody's hand, decides what is on a pin.
     pub fn is_free(&self, pin: usize) -> bool {
-        self.driven[pin].is_none()
+        self.hands[pin].is_none()
     }
 
     /// Whether the clock matters at which an input changes: to the controller, or to a recording. Only
     /// index marks are too many to record them all.
     pub fn watches(&self, pin: usize, controller: &dyn Controller) -> bool {
-        let recorded = self.is_recording() && self.pins[pin].kind == PinKind::Input;
+        let recorded = self.is_recording() && matches!(self.pins[pin].kind, PinKind::Input | PinKind::Port);
         !self.is_free(pin) || recorded || controller.watches(pin)
     }
 
@@ -138,39 +203,95 @@ impl World {
         })
     }
 
-    /// The inputs that are watched, as bits.
-    pub fn watched(&self, controller: &dyn Controller) -> u64 {
-        let pins = (0..self.pins.len()).filter(|pin| self.watches(*pin, controller));
-        pins.fold(0, |pins, pin| pins | 1 << pin)
+    /// Looks at what the controller watches. Windows that were reckoned from something else are forgotten.
+    pub fn look_at_watches(&mut self, controller: &dyn Controller) {
+        let watched = self.contacts.iter().enumerate().filter(|(_, pin)| self.watches(**pin, controller));
+        let contacts = watched.fold(0, |bits, (bit, _)| bits | 1 << bit);
+        if std::mem::replace(&mut self.watched.contacts, contacts) != contacts {
+            self.windows.fill(None);
+        }
+        for follower in &mut self.followers {
+            follower.watched = controller.watches_pulser(follower.axis);
+        }
+        for channel in 0..self.machine.encoders() {
+            let window = controller.encoder_window(channel);
+            let followed = self.followers.iter().any(|other| other.watched && other.channel == channel);
+            let changed = std::mem::replace(&mut self.watched.encoders[channel], window) != window;
+            if std::mem::replace(&mut self.watched.followed[channel], followed) != followed || changed {
+                self.windows[self.machine.axis_of(channel)] = None;
+            }
+        }
     }
 
-    /// How far an axis can go before an input changes that is watched. A pin that is driven by hand does
-    /// not care where the shaft is.
-    pub fn window(&mut self, axis: usize, controller: &dyn Controller) -> (i64, i64) {
+    /// How far an axis can go before an input changes that is watched, or an encoder counts that is. A pin
+    /// that is driven by hand does not care where the shaft is.
+    pub fn window(&mut self, axis: usize) -> (i64, i64) {
         let mut edges = std::mem::take(&mut self.edges);
         edges.clear();
-        edges.extend(
-            (0..self.pins.len())
-                .filter(|pin| self.machine.is_on_axis(*pin, axis) && self.is_free(*pin))
-                .filter(|pin| self.watches(*pin, controller))
-                .map(|pin| self.machine.edge(pin)),
-        );
-        let window = self.machine.window(axis, &edges);
+        let mut at_once = false;
+        for (bit, &pin) in self.contacts.iter().enumerate() {
+            if self.watched.contacts >> bit & 1 != 0 && self.is_free(pin) {
+                edges.extend(self.machine.edge(pin, axis));
+                at_once |= self.machine.ends_with_pulse(pin, axis, self.now());
+            }
+        }
+        for channel in (0..self.machine.encoders()).filter(|&other| self.machine.axis_of(other) == axis) {
+            if let Some((down, up)) = self.encoder_room(channel, self.watched.encoders[channel]) {
+                edges.push(self.machine.encoder_edge(channel, down, up));
+            }
+            if self.watched.followed[channel] {
+                edges.push(self.machine.encoder_edge(channel, 1, 1));
+            }
+        }
+        let (low, high) = self.machine.window(axis, &edges);
         self.edges = edges;
-        window
+        if at_once {
+            let odometer = self.machine.odometer(axis);
+            return (odometer - 1, odometer + 1);
+        }
+        (low, high)
+    }
+
+    /// How far an encoder can count down and up within a window; `None` without one.
+    ///
+    /// # Panics
+    /// If it stands at an end of the window or beyond.
+    fn encoder_room(&self, channel: usize, window: Option<(i32, i32)>) -> Option<(u32, u32)> {
+        let (low, high) = window?;
+        let count = self.machine.encoder(channel);
+        assert!(is_between(count, window?), "encoder {channel} stands at {count}, not in its window");
+        Some((count.wrapping_sub(low) as u32, high.wrapping_sub(count) as u32))
+    }
+
+    /// Whether an encoder has arrived at an end of this window.
+    pub fn is_at_encoder_window(&self, channel: usize, window: (i32, i32)) -> bool {
+        !is_between(self.machine.encoder(channel), window)
+    }
+
+    /// Servo drivers whose time has come are in position.
+    pub fn settle_servos(&mut self) {
+        while let Some(axis) = self.machine.take_in_position(self.now()) {
+            self.windows[axis] = None;
+            self.stir(Stirred::Contacts);
+        }
+    }
+
+    pub fn stir(&mut self, stirred: Stirred) {
+        self.stirred = self.stirred.max(stirred);
     }
 
     /// Drives an input by hand, or gives it back.
     pub fn drive_input(&mut self, pin: usize, level: Option<i32>) {
-        self.driven[pin] = level;
-        self.stirred = true;
+        self.hands[pin] = level;
+        self.stirred = Stirred::Pins;
         self.windows.fill(None);
     }
 
     pub fn add_recorder(&mut self, mut recorder: Box<dyn Recorder + Send>) {
         let now = self.now();
         for pin in 0..self.pins.len() {
-            recorder.pin(now, pin, self.level(pin));
+            self.shown[pin] = self.level(pin);
+            recorder.pin(now, pin, self.shown[pin]);
         }
         let next_sample = recorder.sample_every().map_or(Ticks::MAX, |_| now);
         self.recordings.push(Recording { recorder, next_sample });
@@ -204,7 +325,11 @@ impl World {
         }
     }
 
+    /// Tells the recordings what is on a pin, unless they know.
     pub fn record_pin(&mut self, pin: usize, level: i32) {
+        if std::mem::replace(&mut self.shown[pin], level) == level {
+            return;
+        }
         let now = self.now();
         self.each(|recorder| recorder.pin(now, pin, level));
     }
@@ -212,6 +337,11 @@ impl World {
     pub fn record_mark(&mut self, axis: usize, mark: Mark) {
         let now = self.now();
         self.each(|recorder| recorder.mark(now, axis, mark));
+    }
+
+    fn put_out(&mut self, pin: usize, level: i32) {
+        self.outputs[pin] = Some(level);
+        self.record_pin(pin, level);
     }
 
     fn each(&mut self, mut tell: impl FnMut(&mut dyn Recorder)) {
@@ -227,8 +357,8 @@ impl Board for World {
     }
 
     fn pulses(&mut self, axis: usize, train: &Train) {
-        self.machine.follow(axis, train);
-        self.stirred = true;
+        self.machine.follow(axis, train, self.origin + train.end());
+        self.stir(Stirred::Contacts);
         if let Some((low, high)) = self.windows[axis] {
             let odometer = self.machine.odometer(axis);
             assert!(low <= odometer && odometer <= high, "axis {axis} went past its window to {odometer}");
@@ -244,7 +374,7 @@ impl Board for World {
         self.machine.set_drive(axis, drive);
         // The window was reckoned with another step.
         self.windows[axis] = None;
-        self.stirred = true;
+        self.stir(Stirred::Contacts);
         let now = self.now();
         self.each(|recorder| recorder.drive(now, axis, drive));
     }
@@ -257,11 +387,21 @@ impl Board for World {
     }
 
     fn output(&mut self, pin: usize, on: bool) {
-        let level = i32::from(on);
-        if self.driven[pin].unwrap_or(self.pins[pin].rest) != level {
-            self.record_pin(pin, level);
+        assert!(!self.pins[pin].kind.is_analog(), "a level is for a digital pin");
+        self.put_out(pin, i32::from(on));
+    }
+
+    fn release(&mut self, pin: usize) {
+        assert_eq!(self.pins[pin].kind, PinKind::Port, "only a port can become an input");
+        if self.outputs[pin].take().is_some() {
+            self.record_pin(pin, self.level(pin));
+            self.stirred = Stirred::Pins;
         }
-        self.driven[pin] = Some(level);
+    }
+
+    fn output_analog(&mut self, pin: usize, value: i32) {
+        assert_eq!(self.pins[pin].kind, PinKind::AnalogOutput, "a number is for an analog output");
+        self.put_out(pin, value);
     }
 
     fn encoder(&mut self, channel: usize) -> i32 {
@@ -279,4 +419,10 @@ impl Board for World {
     fn analog(&mut self, pin: usize) -> i32 {
         self.level(pin)
     }
+}
+
+/// Whether a count lies strictly between two others, on the circle that it counts on.
+fn is_between(count: i32, (low, high): (i32, i32)) -> bool {
+    let (beyond, whole) = (count.wrapping_sub(low) as u32, high.wrapping_sub(low) as u32);
+    beyond != 0 && (beyond < whole || whole == 0)
 }

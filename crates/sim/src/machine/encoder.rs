@@ -2,8 +2,8 @@
 
 use super::{
     fitting::Encoder,
-    shaft::{Shaft, Side},
-    zone::Zone,
+    shaft::{Edge, Shaft, Side},
+    zone::{NEVER, Zone},
 };
 use crate::config::AxisConfig;
 
@@ -41,7 +41,7 @@ impl Counter {
                 side: Side::Load,
                 numerator: ratio,
                 denominator: 1 << FRACTION_BITS,
-                mark: Zone::repeated(0, 0, axis.index_every),
+                mark: Zone::marks(axis.index_every),
             },
         }
     }
@@ -51,6 +51,22 @@ impl Counter {
     pub fn count(&self, shaft: &Shaft) -> i64 {
         let scaled = i128::from(shaft.position(self.side)) * i128::from(self.numerator);
         (scaled + self.denominator / 2).div_euclid(self.denominator) as i64
+    }
+
+    /// The positions at which it has counted so far down or up from where it stands; they turn around where
+    /// it counts backwards.
+    pub fn edge(&self, shaft: &Shaft, down: u32, up: u32) -> Edge {
+        let now = self.count(shaft);
+        // The first position with at least this count, along the direction in which it counts up.
+        let step = i128::from(self.numerator.abs());
+        let first = |count: i64| {
+            let scaled = i128::from(count) * self.denominator - self.denominator / 2;
+            let first = scaled.div_euclid(step) + i128::from(scaled.rem_euclid(step) != 0);
+            first.clamp(-i128::from(NEVER), i128::from(NEVER)) as i64
+        };
+        let (below, above) = (first(now - i64::from(down) + 1) - 1, first(now + i64::from(up)));
+        let (below, above) = if self.numerator > 0 { (below, above) } else { (-above, -below) };
+        Edge { side: self.side, below, above }
     }
 
     /// Where the index or null channel is on.
@@ -82,6 +98,35 @@ mod tests {
             &[(0, 0), (24, 0), (25, 1), (50, 1), (-25, 0), (-26, -1), (TURN, 1024), (-TURN, -1024)],
         );
         check(sensostep, 0.5, &[(TURN, 512), (-TURN, -512)]);
+    }
+
+    #[test]
+    fn edges_are_where_the_count_is_reached() {
+        for encoder in [Encoder::External, Encoder::BuiltIn(1024)] {
+            for encoder_ratio in [1.0, -1.0, 4.0, -2.5, 0.25, 0.1, -0.3] {
+                let axis = AxisConfig { encoder_ratio, ..AxisConfig::of_model("") };
+                let counter = Counter::new(encoder, &axis);
+                let at = |position| {
+                    let mut shaft = Shaft::new(0, None);
+                    shaft.turn(position);
+                    shaft
+                };
+                for place in -60..60 {
+                    let now = counter.count(&at(place));
+                    for (down, up) in [(1, 1), (2, 7), (5, 3)] {
+                        let reached = |position: &i64| {
+                            let count = counter.count(&at(*position));
+                            count <= now - i64::from(down) || count >= now + i64::from(up)
+                        };
+                        let below = (-10_000..place).rev().find(reached).unwrap();
+                        let above = (place + 1..10_000).find(reached).unwrap();
+                        let expected = Edge { side: counter.side, below, above };
+                        let got = counter.edge(&at(place), down, up);
+                        assert_eq!(got, expected, "{encoder:?} {encoder_ratio} at {place}, {down} {up}");
+                    }
+                }
+            }
+        }
     }
 
     #[test]

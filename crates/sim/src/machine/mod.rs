@@ -5,6 +5,7 @@
 
 mod encoder;
 pub(crate) mod fitting;
+mod servo;
 mod shaft;
 mod zone;
 
@@ -12,7 +13,8 @@ use crate::config::DeviceConfig;
 use devices::{Drive, Pin, PinKind, Wiring};
 use encoder::Counter;
 use fitting::fitting;
-use motion::Train;
+use motion::{Ticks, Train};
+use servo::Servo;
 pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
 use zone::Zone;
@@ -23,22 +25,25 @@ pub(crate) struct Machine {
     axes: Vec<Shaft>,
     /// Encoders by channel, each with its axis: first those of the first axis.
     encoders: Vec<(usize, Counter)>,
+    /// The servo driver of each axis, if it has one.
+    servos: Vec<Option<Servo>>,
     /// What the pins hang on, in their order.
     contacts: Vec<Option<Contact>>,
     /// Analog quantities by pin.
     quantities: Vec<i32>,
 }
 
-/// A switch or mark: on in a zone of a shaft.
+/// What an axis does to a pin.
 #[derive(Clone, Copy, Debug)]
-struct Contact {
-    axis: usize,
-    side: Side,
-    zone: Zone,
+enum Contact {
+    /// A switch or mark: on in a zone of the shaft.
+    Shaft { axis: usize, side: Side, zone: Zone },
+    /// The servo driver has followed all pulses.
+    InPosition { axis: usize },
 }
 
 impl Machine {
-    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &[Pin]) -> Self {
+    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &[Pin], clock_hz: u32) -> Self {
         let configs: Vec<_> = axes.iter().map(|axis| config.axis(axis)).collect();
         let fitting = fitting(config.model.name);
         let shafts = configs.iter().map(|axis| {
@@ -53,10 +58,12 @@ impl Machine {
                 fitting.encoders.iter().map(move |kind| (index, Counter::new(*kind, axis)))
             })
             .collect();
+        let servo = |ms: u32| Servo::new(Ticks::from(clock_hz) * Ticks::from(ms) / 1000);
+        let servos: Vec<_> = configs.iter().map(|axis| axis.in_position_ms.map(servo)).collect();
         let contacts = pins
             .iter()
             .map(|pin| {
-                let on_load = |axis: usize, zone| Some(Contact { axis, side: Side::Load, zone });
+                let on_load = |axis: usize, zone| Some(Contact::Shaft { axis, side: Side::Load, zone });
                 match (pin.wiring, pin.kind) {
                     (Wiring::NegativeLimit(axis), _) => {
                         on_load(axis, Zone::up_to(configs[axis].negative_limit))
@@ -64,17 +71,20 @@ impl Machine {
                     (Wiring::PositiveLimit(axis), _) => {
                         on_load(axis, Zone::from(configs[axis].positive_limit))
                     }
-                    (Wiring::Home(axis), _) => {
-                        on_load(axis, Zone::between(configs[axis].home[0], configs[axis].home[1]))
+                    (Wiring::Home(axis), _) => on_load(axis, Zone::between(configs[axis].home)),
+                    (Wiring::Slowdown(axis), _) => {
+                        let zones = configs[axis].slowdown;
+                        zones[0].and_then(|first| on_load(axis, Zone::between_two(first, zones[1])))
+                    }
+                    (Wiring::InPosition(axis), _) => {
+                        servos[axis].as_ref().map(|_| Contact::InPosition { axis })
                     }
                     (Wiring::Index(_), PinKind::Index(channel)) => {
                         let (axis, counter) = &encoders[channel];
                         let (side, zone) = counter.mark();
-                        Some(Contact { axis: *axis, side, zone })
+                        Some(Contact::Shaft { axis: *axis, side, zone })
                     }
-                    (Wiring::Index(axis), _) => {
-                        on_load(axis, Zone::repeated(0, 0, configs[axis].index_every))
-                    }
+                    (Wiring::Index(axis), _) => on_load(axis, Zone::marks(configs[axis].index_every)),
                     _ => None,
                 }
             })
@@ -87,7 +97,7 @@ impl Machine {
                 _ => pin.rest,
             })
             .collect();
-        Self { axes: shafts.collect(), encoders, contacts, quantities }
+        Self { axes: shafts.collect(), encoders, servos, contacts, quantities }
     }
 
     /// Odometers start from 0, and driver stages as if nobody had told them anything.
@@ -97,8 +107,22 @@ impl Machine {
         }
     }
 
-    pub fn follow(&mut self, axis: usize, train: &Train) {
+    /// Pulses of an axis, the last one in device time `last`.
+    pub fn follow(&mut self, axis: usize, train: &Train, last: Ticks) {
         self.axes[axis].follow(train);
+        if let Some(servo) = &mut self.servos[axis] {
+            servo.follow(last);
+        }
+    }
+
+    /// When the next servo driver is in position; [`Ticks::MAX`] if all are.
+    pub fn in_position_at(&self) -> Ticks {
+        self.servos.iter().flatten().filter_map(Servo::due).min().unwrap_or(Ticks::MAX)
+    }
+
+    /// The next axis whose servo driver has come into position by `now`.
+    pub fn take_in_position(&mut self, now: Ticks) -> Option<usize> {
+        self.servos.iter_mut().position(|servo| servo.as_mut().is_some_and(|servo| servo.settle(now)))
     }
 
     /// The driver stage of an axis.
@@ -146,38 +170,75 @@ impl Machine {
         counter.count(&self.axes[*axis]) as i32
     }
 
+    /// How many encoders there are.
+    pub fn encoders(&self) -> usize {
+        self.encoders.len()
+    }
+
+    /// The first encoder of an axis, if it has one.
+    pub fn encoder_of(&self, axis: usize) -> Option<usize> {
+        self.encoders.iter().position(|(other, _)| *other == axis)
+    }
+
+    /// The axis that turns an encoder.
+    pub fn axis_of(&self, channel: usize) -> usize {
+        self.encoders[channel].0
+    }
+
+    /// Where an encoder has counted so far down or up from its present count.
+    pub fn encoder_edge(&self, channel: usize, down: u32, up: u32) -> Edge {
+        let (axis, counter) = &self.encoders[channel];
+        counter.edge(&self.axes[*axis], down, up)
+    }
+
     pub fn quantity(&self, pin: usize) -> i32 {
         self.quantities[pin]
     }
 
-    /// Whether the switch or mark at a pin is on; `None` if there is none.
-    pub fn is_on(&self, pin: usize) -> Option<bool> {
-        self.contacts[pin].map(|contact| contact.zone.is_on(self.place(&contact)))
+    /// Whether a pin is one that an axis moves.
+    pub fn hangs_on_axis(&self, pin: usize) -> bool {
+        self.contacts[pin].is_some()
+    }
+
+    /// Whether the switch, mark or signal at a pin is on; `None` if there is none.
+    pub fn is_on(&self, pin: usize, now: Ticks) -> Option<bool> {
+        self.contacts[pin].map(|contact| match contact {
+            Contact::Shaft { axis, side, zone } => zone.is_on(self.axes[axis].position(side)),
+            Contact::InPosition { axis } => self.is_in_position(axis, now),
+        })
     }
 
     /// Where the shaft at a pin is, for [`is_jumped`](Self::is_jumped); 0 where there is none.
     pub fn place_of(&self, pin: usize) -> i64 {
-        self.contacts[pin].map_or(0, |contact| self.place(&contact))
+        match self.contacts[pin] {
+            Some(Contact::Shaft { axis, side, .. }) => self.axes[axis].position(side),
+            _ => 0,
+        }
     }
 
     /// Whether on its way from `from` the shaft at a pin passed the zone without standing in it.
     pub fn is_jumped(&self, pin: usize, from: i64) -> bool {
-        self.contacts[pin].is_some_and(|contact| contact.zone.is_jumped(from, self.place(&contact)))
+        match self.contacts[pin] {
+            Some(Contact::Shaft { axis, side, zone }) => zone.is_jumped(from, self.axes[axis].position(side)),
+            _ => false,
+        }
     }
 
-    /// Whether what a pin hangs on is moved by an axis.
-    pub fn is_on_axis(&self, pin: usize, axis: usize) -> bool {
-        self.contacts[pin].is_some_and(|contact| contact.axis == axis)
+    /// Where the switch or mark at a pin changes next, below and above, if this axis moves it.
+    pub fn edge(&self, pin: usize, axis: usize) -> Option<Edge> {
+        match self.contacts[pin] {
+            Some(Contact::Shaft { axis: mover, side, zone }) if mover == axis => {
+                let place = self.axes[axis].position(side);
+                Some(Edge { side, below: zone.below(place), above: zone.above(place) })
+            }
+            _ => None,
+        }
     }
 
-    /// Where the switch or mark at a pin changes next, below and above.
-    ///
-    /// # Panics
-    /// If the pin hangs on nothing.
-    pub fn edge(&self, pin: usize) -> Edge {
-        let contact = self.contacts[pin].expect("a pin on an axis hangs on something");
-        let place = self.place(&contact);
-        Edge { side: contact.side, below: contact.zone.below(place), above: contact.zone.above(place) }
+    /// Whether the next pulse of an axis, whatever its direction, changes a pin.
+    pub fn ends_with_pulse(&self, pin: usize, axis: usize, now: Ticks) -> bool {
+        matches!(self.contacts[pin], Some(Contact::InPosition { axis: mover })
+            if mover == axis && self.is_in_position(axis, now))
     }
 
     /// The odometer window of an axis in which it arrives at none of these edges.
@@ -185,8 +246,8 @@ impl Machine {
         self.axes[axis].window(edges)
     }
 
-    fn place(&self, contact: &Contact) -> i64 {
-        self.axes[contact.axis].position(contact.side)
+    fn is_in_position(&self, axis: usize, now: Ticks) -> bool {
+        self.servos[axis].as_ref().is_some_and(|servo| servo.is_in_position(now))
     }
 }
 

@@ -3,28 +3,54 @@
 /// No threshold: further away than any pulse.
 pub(crate) const NEVER: i64 = i64::MAX / 4;
 
-/// Positions at which an input is on: an interval, maybe repeated.
+/// Positions at which an input is on: an interval, maybe repeated, or two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Zone {
     first: i64,
     last: i64,
-    every: Option<i64>,
+    more: More,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum More {
+    None,
+    /// The same again at every multiple of this.
+    Every(i64),
+    /// A second interval above.
+    And {
+        first: i64,
+        last: i64,
+    },
 }
 
 impl Zone {
-    /// On from `first` to `last`, both included.
-    pub const fn between(first: i64, last: i64) -> Self {
-        Self { first, last, every: None }
+    /// On from the first to the last, both included.
+    pub const fn between([first, last]: [i64; 2]) -> Self {
+        Self { first, last, more: More::None }
+    }
+
+    /// On in one interval, and in another that lies above it with a gap between.
+    pub const fn between_two([first, last]: [i64; 2], other: Option<[i64; 2]>) -> Self {
+        let more = match other {
+            None => More::None,
+            Some([first, last]) => More::And { first, last },
+        };
+        Self { first, last, more }
     }
 
     /// On at and below `last`.
     pub const fn up_to(last: i64) -> Self {
-        Self::between(-NEVER, last)
+        Self::between([-NEVER, last])
     }
 
     /// On at and above `first`.
     pub const fn from(first: i64) -> Self {
-        Self::between(first, NEVER)
+        Self::between([first, NEVER])
+    }
+
+    /// On at 0 and every multiple of `every`.
+    pub const fn marks(every: i64) -> Self {
+        Self::repeated(0, 0, every)
     }
 
     /// On from `first` to `last` and at every multiple of `every` from there. A mark that is on
@@ -32,13 +58,14 @@ impl Zone {
     pub const fn repeated(first: i64, last: i64, every: i64) -> Self {
         let longest = first + every - 2;
         let last = if last > longest && every > 1 { longest } else { last };
-        Self { first, last, every: Some(every) }
+        Self { first, last, more: More::Every(every) }
     }
 
     /// Whether it is on at `position`.
     pub fn is_on(&self, position: i64) -> bool {
-        let position = self.folded(position);
-        self.first <= position && position <= self.last
+        let folded = self.folded(position);
+        let second = matches!(self.more, More::And { first, last } if first <= folded && folded <= last);
+        self.first <= folded && folded <= self.last || second
     }
 
     /// The next position above at which it changes; at least [`NEVER`] if there is none.
@@ -49,7 +76,12 @@ impl Zone {
         } else if folded <= self.last {
             self.last + 1
         } else {
-            self.every.map_or(NEVER, |every| self.first + every)
+            match self.more {
+                More::Every(every) => self.first + every,
+                More::And { first, .. } if folded < first => first,
+                More::And { last, .. } if folded <= last => last + 1,
+                More::And { .. } | More::None => NEVER,
+            }
         };
         if next >= NEVER { NEVER } else { position + (next - folded) }
     }
@@ -57,12 +89,12 @@ impl Zone {
     /// The next position below at which it changes; at most −[`NEVER`] if there is none.
     pub fn below(&self, position: i64) -> i64 {
         let folded = self.folded(position);
-        let next = if folded > self.last {
-            self.last
-        } else if folded >= self.first {
-            self.first - 1
-        } else {
-            -NEVER
+        let next = match self.more {
+            More::And { last, .. } if folded > last => last,
+            More::And { first, .. } if folded >= first => first - 1,
+            _ if folded > self.last => self.last,
+            _ if folded >= self.first => self.first - 1,
+            _ => -NEVER,
         };
         if next <= -NEVER { -NEVER } else { position + (next - folded) }
     }
@@ -77,9 +109,9 @@ impl Zone {
 
     /// The position that stands for `position` in the first interval and the gap after it.
     fn folded(&self, position: i64) -> i64 {
-        match self.every {
-            Some(every) => self.first + (position - self.first).rem_euclid(every),
-            None => position,
+        match self.more {
+            More::Every(every) => self.first + (position - self.first).rem_euclid(every),
+            More::And { .. } | More::None => position,
         }
     }
 }
@@ -111,8 +143,11 @@ mod tests {
 
     #[test]
     fn thresholds_are_where_the_level_changes() {
-        check(Zone::between(-7, 3));
-        check(Zone::between(5, 5));
+        check(Zone::between([-7, 3]));
+        check(Zone::between([5, 5]));
+        check(Zone::between_two([-9, -5], None));
+        check(Zone::between_two([-9, -5], Some([2, 2])));
+        check(Zone::between_two([-9, -5], Some([-3, 20])));
         check(Zone::up_to(-2));
         check(Zone::from(4));
         check(Zone::repeated(0, 0, 10));

@@ -6,7 +6,6 @@ use super::{
     series::{Curves, Extent, Motion},
     ticks::{Ticks as Scale, ticks},
 };
-use devices::PinKind;
 use motion::Ticks;
 use plotters::{
     prelude::RGBColor,
@@ -40,7 +39,7 @@ type Points = Vec<(f64, f64)>;
 /// The picture as SVG text, or what is wrong.
 pub(super) fn draw(recording: &SvgRecorder, end: Ticks) -> Result<String, String> {
     let pins: Vec<_> = (0..recording.info.pins.len())
-        .filter(|pin| recording.levels[*pin].1 && recording.info.pins[*pin].kind != PinKind::Analog)
+        .filter(|pin| recording.levels[*pin].1 && !recording.info.pins[*pin].kind.is_analog())
         .collect();
     let height = HEAD + 3.0 * (PANEL + GAP) + TIME + STRIP * pins.len() as f64 + FOOT;
     let mut text = String::new();

@@ -9,7 +9,7 @@ mod series;
 mod ticks;
 
 use super::{Mark, RecordError, RecordInfo, Recorder};
-use devices::{AxisState, Drive, PinKind, Wiring};
+use devices::{AxisState, Drive, Wiring};
 use motion::{Ticks, Train};
 use series::{Buckets, Curves, Levels};
 use std::path::{Path, PathBuf};
@@ -82,7 +82,7 @@ impl Recorder for SvgRecorder {
         let (before, changed) = self.levels[pin];
         let changes = before.is_some_and(|before| before != level);
         self.levels[pin] = (Some(level), changed || changes);
-        if description.kind == PinKind::Analog {
+        if description.kind.is_analog() {
             return;
         }
         self.pins[pin].add(at, level != 0);
