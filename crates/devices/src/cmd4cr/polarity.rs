@@ -46,21 +46,28 @@ pub const ALL: i32 = (1 << 17) - 1;
 /// From the factory: fourfold counting of encoder and manual pulse generator.
 pub const DEFAULT: i32 = input::FOURFOLD << ENCODER_SHIFT | input::FOURFOLD << PULSER_SHIFT;
 
-/// The input mode of the encoder.
-pub const fn encoder_mode(word: i32) -> i32 {
-    word >> ENCODER_SHIFT & 3
-}
-
-/// The input mode of the manual pulse generator.
-pub const fn pulser_mode(word: i32) -> i32 {
-    word >> PULSER_SHIFT & 3
-}
-
-/// By how many bits a decoder's fourfold count is more than what is counted in this mode.
-pub const fn decoding_shift(mode: i32) -> u32 {
-    match mode {
-        input::SINGLE | input::TWO_PULSE => 2,
+/// By how many bits a decoder's fourfold count is more than what is counted.
+const fn shift(mode: i32) -> u32 {
+    match mode & 3 {
+        input::SINGLE => 2,
         input::DOUBLE => 1,
+        // What the decoder counts of two-pulse inputs are the pulses.
         _ => 0,
     }
+}
+
+/// How the encoder counts: by how many bits coarser than its decoder, and whether the other way round.
+pub const fn encoder(word: i32) -> (u32, bool) {
+    (shift(word >> ENCODER_SHIFT), word & ENCODER != 0)
+}
+
+/// The same of the manual pulse generator.
+pub const fn pulser(word: i32) -> (u32, bool) {
+    (shift(word >> PULSER_SHIFT), word & PULSER != 0)
+}
+
+/// Whether a driver that was wired for mode 0, or for another of its kind, turns the other way: the logic of
+/// the direction, or the order of the phases.
+pub const fn reverses(word: i32) -> bool {
+    matches!(word & PULSE_MODE, 2 | 3 | 6)
 }
