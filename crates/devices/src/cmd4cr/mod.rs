@@ -2,9 +2,10 @@
 //!
 //! - [`table`]: the commands; [`refusal`]: why one is not done.
 //! - [`memory`]: what is remembered, in RAM and flash.
-//! - [`polarity`]: the bits that invert inputs and outputs.
+//! - [`pins`], [`polarity`]: inputs and outputs, and the bits that invert them.
 
 pub mod memory;
+pub mod pins;
 pub mod polarity;
 pub mod refusal;
 pub mod table;

@@ -149,27 +149,27 @@ mod tests {
 
     #[test]
     fn numbers_and_names() {
-        let check = |number: usize, name| assert_eq!(PINS[number].name, name);
+        let check = |number: usize, name: &str| assert_eq!(PINS[number].name, name);
         for (axis, letter) in ["X", "Y", "Z", "U"].into_iter().enumerate() {
             let first = axis * number::AXIS;
-            check(first + number::PLUS_LIMIT, format!("+L{letter}").as_str());
-            check(first + number::MINUS_LIMIT, format!("-L{letter}").as_str());
-            check(first + number::HOME, format!("H{letter}").as_str());
-            check(first + number::INDEX, format!("Z{letter}").as_str());
-            check(first + number::SLOWDOWN, format!("SD{letter}").as_str());
-            check(first + number::ALARM, format!("ALM{letter}").as_str());
-            check(first + number::IN_POSITION, format!("INP{letter}").as_str());
-            check(first + number::ENABLE, format!("EO{}", axis + 1).as_str());
-            check(first + number::ERROR_CLEAR, format!("ERC{letter}").as_str());
+            check(first + number::PLUS_LIMIT, &format!("+L{letter}"));
+            check(first + number::MINUS_LIMIT, &format!("-L{letter}"));
+            check(first + number::HOME, &format!("H{letter}"));
+            check(first + number::INDEX, &format!("Z{letter}"));
+            check(first + number::SLOWDOWN, &format!("SD{letter}"));
+            check(first + number::ALARM, &format!("ALM{letter}"));
+            check(first + number::IN_POSITION, &format!("INP{letter}"));
+            check(first + number::ENABLE, &format!("EO{}", axis + 1));
+            check(first + number::ERROR_CLEAR, &format!("ERC{letter}"));
         }
         check(number::CEMG, "CEMG");
         check(number::CSTA, "CSTA");
         for bit in 0..BITS {
-            check(number::DI1 + bit, format!("DI{}", bit + 1).as_str());
-            check(number::DO1 + bit, format!("DO{}", bit + 1).as_str());
+            check(number::DI1 + bit, &format!("DI{}", bit + 1));
+            check(number::DO1 + bit, &format!("DO{}", bit + 1));
         }
         for bit in 0..PORTS {
-            check(number::IO1 + bit, format!("IO{}", bit + 1).as_str());
+            check(number::IO1 + bit, &format!("IO{}", bit + 1));
         }
         check(number::AI1 + 1, "AI2");
         check(number::PWM1 + 1, "PWM2");
