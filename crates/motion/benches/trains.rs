@@ -4,7 +4,7 @@
 //! writes timestamps with `interval += add`. `cargo bench -p motion --bench trains -- expand` runs some.
 
 use motion::pps::{self, CLOCK_HZ, Profile};
-use motion::{Axis, Goal, Limits, Line, Shape, Ticks, Train, tmc429};
+use motion::{Axis, Goal, Limits, Move, Path, Shape, Ticks, Train, tmc429};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -79,7 +79,7 @@ fn make_edges(axis: &mut Axis, way: i32, edges: &mut [Ticks]) -> usize {
 /// The edges of both axes of a line.
 fn line_edges(now: &mut Ticks, axes: &mut [Axis; 2], way: [i32; 2], edges: &mut [Ticks]) -> usize {
     let mut done = 0;
-    let mut line = Line::new(performax(false), way, *now, axes);
+    let mut line = Path::new(performax(false), &Move::Line(way), *now, axes);
     while let Some(wake) = line.wake(axes) {
         *now = wake;
         line.advance(wake, axes, |_, train| done += train.expand(&mut edges[done..]));

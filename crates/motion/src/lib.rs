@@ -14,7 +14,7 @@ pub mod encoder;
 mod foot;
 pub mod homing;
 pub mod joystick;
-pub mod line;
+pub mod path;
 pub mod plan;
 pub mod pps;
 mod scurve;
@@ -23,7 +23,7 @@ pub mod tmc429;
 pub mod train;
 
 pub use axis::{Axis, Goal, Stop};
-pub use line::Line;
+pub use path::{Arc, Move, Path};
 pub use plan::{Limits, Shape};
 pub use speed::{Growth, Scale, Speed};
 pub use train::{Direction, Moment, SubTicks, Ticks, Train};

@@ -128,6 +128,19 @@ impl Train {
         (count > 0).then_some(Self { count, mask, ..*self })
     }
 
+    /// As many of the slots as a mask has bits, and the rest if there are more.
+    ///
+    /// # Panics
+    /// If this train is not plain.
+    pub(crate) fn first_slots(&self) -> (Self, Option<Self>) {
+        assert!(self.mask == EVERY_SLOT, "slots are pulses");
+        if self.count <= MAX_SLOTS {
+            return (*self, None);
+        }
+        let (slots, rest) = self.split(MAX_SLOTS);
+        (slots, Some(rest))
+    }
+
     /// The train of one of the pulses of a plain train.
     ///
     /// # Panics

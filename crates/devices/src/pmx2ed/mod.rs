@@ -28,7 +28,7 @@ use crate::ascii::threads::{LineTime, Threads};
 use crate::board::{Board, Drive, Port};
 use crate::controller::{AxisState, Controller, Pin, PinKind, ProgramState};
 use crate::flash::Flash;
-use ::motion::line::Line;
+use ::motion::path::Path;
 use ::motion::{Axis, Direction, Goal, Ticks, pps};
 use memory::Memory;
 use pins::number as pin;
@@ -56,7 +56,7 @@ pub struct Pmx2ed<F: Flash> {
     axes: [Axis; AXIS_COUNT],
     stations: [Station; AXIS_COUNT],
     /// The interpolated move that is on.
-    line: Option<Line<AXIS_COUNT>>,
+    line: Option<Path<AXIS_COUNT>>,
     /// Targets count from the position.
     incremental: bool,
     io: io::Io,

@@ -11,7 +11,7 @@ use crate::flash::Flash;
 use ::motion::closed_loop::{self, Ratio};
 use ::motion::homing::routine::{Inputs, Outcome, Settings};
 use ::motion::homing::{Homing, performax::Routine};
-use ::motion::line::Line;
+use ::motion::path::{Move, Path};
 use ::motion::pps::{self, CLOCK_HZ, PERFORMAX, Profile};
 use ::motion::{Axis, Direction, Goal, Limits, Shape};
 
@@ -24,7 +24,7 @@ pub fn resting() -> Axis {
 impl<F: Flash> Pmx2ed<F> {
     /// Whether pulses are on their way on an axis.
     pub fn is_moving(&self, axis: usize) -> bool {
-        self.axes[axis].is_moving() || self.line_of(axis).is_some_and(Line::is_moving)
+        self.axes[axis].is_moving() || self.line_of(axis).is_some_and(Path::is_moving)
     }
 
     /// Whether an axis has come to the end of what it was told, corrections included.
@@ -36,7 +36,7 @@ impl<F: Flash> Pmx2ed<F> {
     }
 
     /// The line that an axis follows.
-    pub fn line_of(&self, axis: usize) -> Option<&Line<AXIS_COUNT>> {
+    pub fn line_of(&self, axis: usize) -> Option<&Path<AXIS_COUNT>> {
         self.line.as_ref().filter(|line| line.involves(axis))
     }
 
@@ -159,7 +159,7 @@ impl<F: Flash> Pmx2ed<F> {
             let ways = goals.map(|goal| goal.map_or(0, |(.., way)| way));
             let longest = if ways[1].unsigned_abs() > ways[0].unsigned_abs() { 1 } else { 0 };
             let limits = self.limits_over(None, ways[longest].unsigned_abs(), longest);
-            self.line = Some(Line::new(limits, ways, self.now, &mut self.axes));
+            self.line = Some(Path::new(limits, &Move::Line(ways), self.now, &mut self.axes));
         }
         self.react(board);
         Ok(())

@@ -7,7 +7,7 @@
 mod random;
 
 use motion::pps::{self, CLOCK_HZ, Profile};
-use motion::{Axis, Limits, Line, Moment, Train};
+use motion::{Axis, Limits, Moment, Move, Path, Train};
 use random::Random;
 
 /// Lines of an ordinary run.
@@ -140,7 +140,7 @@ fn play(seed: u64) {
     let mut now = u64::from(random.below(1000));
     let limits_at_first = limits(random);
     let mut axes = [(); AXES].map(|()| Axis::new(limits_at_first));
-    let mut line = Line::new(limits_at_first, way, now, &mut axes);
+    let mut line = Path::new(limits_at_first, &Move::Line(way), now, &mut axes);
     for (axis, way) in way.iter().enumerate() {
         assert_eq!(line.involves(axis), *way != 0);
     }
@@ -235,7 +235,7 @@ fn a_long_line_ends_where_it_should() {
     };
     let limits = profile.limits(pps::scale(profile.high_pps, CLOCK_HZ), CLOCK_HZ);
     let mut axes = [(); AXES].map(|()| Axis::new(limits));
-    let mut line = Line::new(limits, way, 0, &mut axes);
+    let mut line = Path::new(limits, &Move::Line(way), 0, &mut axes);
     let mut track = Track::new(way);
     while let Some(wake) = line.wake(&axes) {
         line.advance(wake, &mut axes, |axis, train| {

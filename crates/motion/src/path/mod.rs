@@ -1,0 +1,210 @@
+//! Interpolation: axes that move together along a line, around a circle or on a helix.
+//!
+//! The path is an axis of its own. Its ramps are those of the limits, and its pulses are slots in which the
+//! others step or do not, in the same clocks. Along a line the axis with the longest way steps in every slot
+//! ([`straight`](self)); around a circle a slot is a little less than a pulse of arc, so that the speed of
+//! the limits is that along the circle. Every point that the axes come to is within half a pulse of the line
+//! or circle, whatever the speed does on the way, and the end is exact.
+
+mod angle;
+mod arc;
+mod circle;
+mod pace;
+mod round;
+mod straight;
+
+pub use arc::{Arc, ArcError, End, MAX_RADIUS, Turn};
+
+use crate::axis::{Axis, Goal};
+use crate::plan::Limits;
+use crate::speed::Speed;
+use crate::train::{Direction, Ticks, Train};
+use pace::Pace;
+use round::Round;
+use straight::Straight;
+
+/// The way of the path that leads to the end: the one in which a distance may be 2³¹.
+const AHEAD: Direction = Direction::Negative;
+
+/// One interpolated move.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Move<const N: usize> {
+    /// Along a straight line: the way of each axis, 0 for those that take no part.
+    Line([i32; N]),
+    /// Around a circle, or on a helix.
+    Arc(Arc),
+}
+
+impl<const N: usize> Move<N> {
+    /// The way of each axis from start to end.
+    ///
+    /// # Panics
+    /// If an axis of an arc is none of these.
+    pub fn way(&self) -> [i32; N] {
+        match self {
+            Self::Line(way) => *way,
+            Self::Arc(arc) => {
+                let mut way = [0; N];
+                for (axis, part) in arc.axes().into_iter().zip(arc.ends()).chain(arc.along()) {
+                    way[axis] = part;
+                }
+                way
+            }
+        }
+    }
+}
+
+/// A move of some of a controller's axes. They rest themselves meanwhile; it counts for them.
+#[derive(Clone, Debug)]
+pub struct Path<const N: usize> {
+    /// The slots, as the pulses of an axis of its own.
+    slots: Axis,
+    /// How many of them since the start.
+    slot: i64,
+    pace: Pace,
+    /// In pulses.
+    limits: Limits,
+    /// What each axis does that goes straight.
+    straight: [Straight; N],
+    /// What two axes do on a circle.
+    round: Option<([usize; 2], Round)>,
+}
+
+impl<const N: usize> Path<N> {
+    /// Sets out at the end of clock `now`. The speeds of the limits are those of the axis with the longest
+    /// way on a line, and those along the circle otherwise; an axis that goes along a circle on a longer way
+    /// than that is the faster one, and no axis makes more than a pulse in two clocks. The axes that take part
+    /// forget their goals: they stay where the path leaves them.
+    ///
+    /// # Panics
+    /// If an axis that takes part is moving, or an axis of an arc is none of these.
+    pub fn new(limits: Limits, moves: &Move<N>, now: Ticks, axes: &mut [Axis; N]) -> Self {
+        let (mut way, mut round, mut pace) = (moves.way(), None, Pace::EVERY_PULSE);
+        let mut slots = None;
+        if let Move::Arc(arc) = moves
+            && let Some(motion) = arc.round()
+        {
+            let [slots_of_arc, length] = motion.slots();
+            pace = Pace { slots: slots_of_arc, length };
+            slots = Some(slots_of_arc as u32);
+            arc.axes().into_iter().for_each(|axis| way[axis] = 0);
+            round = Some((arc.axes(), motion));
+        }
+        let longest = way.iter().map(|way| way.unsigned_abs()).max().unwrap_or(0);
+        let slots = slots.unwrap_or(longest);
+        let mut path = Axis::new(pace.limits(limits));
+        path.advance(now, |_| ());
+        path.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)));
+        let straight = way.map(|way| Straight::new(way, slots));
+        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round };
+        for (_, axis) in axes.iter_mut().enumerate().filter(|(axis, _)| path.involves(*axis)) {
+            axis.carry(axis.direction(), 0);
+        }
+        path
+    }
+
+    /// The number of an axis on the circle.
+    fn on_circle(&self, axis: usize) -> Option<(usize, &Round)> {
+        let (axes, round) = self.round.as_ref()?;
+        axes.iter().position(|&other| other == axis).map(|number| (number, round))
+    }
+
+    /// Whether an axis takes part.
+    pub fn involves(&self, axis: usize) -> bool {
+        self.straight[axis].moves() || self.on_circle(axis).is_some()
+    }
+
+    /// Whether pulses are on their way.
+    pub fn is_moving(&self) -> bool {
+        self.slots.is_moving()
+    }
+
+    /// The limits in force.
+    pub fn limits(&self) -> Limits {
+        self.limits
+    }
+
+    /// Which way an axis goes at present; `None` if it takes no part.
+    pub fn direction(&self, axis: usize) -> Option<Direction> {
+        let ahead = self.slots.direction() == AHEAD;
+        match self.on_circle(axis) {
+            Some((number, round)) => Some(round.directions(ahead)[number]),
+            None => self.straight[axis].moves().then(|| self.straight[axis].direction(ahead)),
+        }
+    }
+
+    /// Slows down along the path, and stands on one of its slots.
+    pub fn stop(&mut self) {
+        self.slots.set_goal(Goal::Speed(AHEAD, 0));
+    }
+
+    /// Stands still at once.
+    pub fn halt(&mut self) {
+        self.slots.halt();
+    }
+
+    /// Changes the limits on the way.
+    pub fn set_limits(&mut self, limits: Limits) {
+        self.limits = limits.clamped();
+        self.slots.set_limits(self.pace.limits(limits));
+    }
+
+    /// The present speed of an axis, in the scale of the limits; 0 at standstill.
+    pub fn speed(&self, axis: usize) -> Speed {
+        let scale = self.slots.limits().scale.bits();
+        let speed = u64::from(self.slots.speed()) << (self.limits.scale.bits() - scale);
+        match self.on_circle(axis) {
+            Some((number, round)) => self.pace.pulses(speed, round.shares()[number]),
+            None => self.straight[axis].speed(speed),
+        }
+    }
+
+    /// Whether the speed is rising (1), falling (−1) or neither.
+    pub fn acceleration(&self) -> i32 {
+        self.slots.acceleration()
+    }
+
+    /// The clock at which the path must be advanced: the end of its trains, or the pulse with which an axis
+    /// reaches its window's edge. `None` at rest.
+    pub fn wake(&self, axes: &[Axis; N]) -> Option<Ticks> {
+        let train = self.slots.train()?;
+        let ahead = train.direction == AHEAD;
+        let straight = self.straight.iter().zip(axes).filter_map(|(member, axis)| {
+            let room = u32::try_from(axis.room(member.direction(ahead))).ok().filter(|room| *room > 0)?;
+            member.slots_to(room, ahead)
+        });
+        let round = self.round.iter().flat_map(|(numbers, round)| {
+            numbers.iter().enumerate().filter_map(move |(number, &axis)| {
+                let rooms = [Direction::Negative, Direction::Positive].map(|way| axes[axis].room(way));
+                round.slots_to(number, rooms, self.slot, train.count, ahead)
+            })
+        });
+        Some(match straight.chain(round).min() {
+            Some(slot) if slot < train.count.into() => train.edge(slot as u32),
+            _ => train.end(),
+        })
+    }
+
+    /// Lets time pass to the end of clock `now`, no further than [`Self::wake`] says; `emit` gets the trains
+    /// of the pulses made until then, with the number of their axis, and the axes count them.
+    ///
+    /// # Panics
+    /// If `now` is earlier than the last time, or an axis that takes part moves by itself.
+    pub fn advance(&mut self, now: Ticks, axes: &mut [Axis; N], mut emit: impl FnMut(usize, &Train)) {
+        let Self { slots, slot, straight, round, .. } = self;
+        slots.advance(now, |path| {
+            let ahead = path.direction == AHEAD;
+            let mut pulses = |axis: usize, train: &Train| {
+                axes[axis].carry(train.direction, train.count);
+                emit(axis, train);
+            };
+            for (number, member) in straight.iter_mut().enumerate() {
+                member.follow(path, ahead, |train| pulses(number, train));
+            }
+            if let Some((numbers, round)) = round {
+                round.follow(path, *slot, ahead, |number, train| pulses(numbers[number], train));
+            }
+            *slot += if ahead { i64::from(path.count) } else { -i64::from(path.count) };
+        });
+    }
+}
