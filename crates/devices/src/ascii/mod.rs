@@ -16,4 +16,4 @@ pub mod station;
 pub mod threads;
 
 pub use command::{Command, Form, Value};
-pub use parse::{ParseError, Parsed, Turn, parse};
+pub use parse::{ParseError, Parsed, parse};

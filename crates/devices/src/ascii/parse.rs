@@ -2,6 +2,7 @@
 
 use super::command::{Command, Form};
 use motion::Direction;
+use motion::path::Turn;
 
 /// The most axes that a controller of this language has.
 pub const MAX_AXES: usize = 4;
@@ -18,15 +19,6 @@ pub enum ParseError {
     Index,
     /// A value is out of range, or no number.
     Value,
-}
-
-/// Which way to turn, with the first axis to the right and the second one up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Turn {
-    /// `P`.
-    Clockwise,
-    /// `N`.
-    CounterClockwise,
 }
 
 /// A line as a command of a table.
