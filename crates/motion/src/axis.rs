@@ -51,6 +51,18 @@ struct Window {
     high: i64,
 }
 
+impl Window {
+    const WHOLE: Self = Self { low: i64::MIN, high: i64::MAX };
+
+    /// Pulses to its edge.
+    fn room(self, odometer: i64, direction: Direction) -> i64 {
+        match direction {
+            Direction::Negative => odometer.saturating_sub(self.low),
+            Direction::Positive => self.high.saturating_sub(odometer),
+        }
+    }
+}
+
 /// A motion axis.
 #[derive(Clone, Debug)]
 pub struct Axis {
@@ -62,6 +74,8 @@ pub struct Axis {
     odometer: i64,
     steps: u64,
     window: Window,
+    /// Where the controller itself wants to look after something.
+    marks: Window,
     /// The end of the clock that was advanced to, or the moment of the last pulse while moving.
     since: Moment,
     now: Ticks,
@@ -89,7 +103,8 @@ impl Axis {
             position: 0,
             odometer: 0,
             steps: 0,
-            window: Window { low: i64::MIN, high: i64::MAX },
+            window: Window::WHOLE,
+            marks: Window::WHOLE,
             since: Moment::at(0),
             now: 0,
             pace: Pace::STILL,
@@ -219,12 +234,16 @@ impl Axis {
         self.odometer <= self.window.low || self.odometer >= self.window.high
     }
 
-    /// Pulses to the window's edge.
+    /// The controller wants to look after something when the odometer arrives at one of these: the axis wakes
+    /// there too, and goes on. A comparator is told its counter so at the very pulse.
+    pub fn set_marks(&mut self, low: i64, high: i64) {
+        self.marks = Window { low, high };
+    }
+
+    /// Pulses to the next edge of the window or mark; 0 beyond both.
     pub(crate) fn room(&self, direction: Direction) -> i64 {
-        match direction {
-            Direction::Negative => self.odometer.saturating_sub(self.window.low),
-            Direction::Positive => self.window.high.saturating_sub(self.odometer),
-        }
+        let rooms = [self.window, self.marks].map(|window| window.room(self.odometer, direction));
+        rooms.into_iter().filter(|room| *room > 0).min().unwrap_or(0)
     }
 
     /// The pulses on their way.

@@ -60,6 +60,18 @@ impl Condition {
         one.into_iter().chain(two)
     }
 
+    /// How far the counter can go before it changes whether it meets the condition: so many pulses down, and
+    /// so many up. `None` if that never changes.
+    pub fn room(self, counter: i32) -> Option<[u32; 2]> {
+        use Direction::{Negative, Positive};
+        let [low, high] = self.arc()?.map(|end| end as i32);
+        Some(if self.holds(counter) {
+            [pulses_to(counter, low, Negative) + 1, pulses_to(counter, high, Positive) + 1]
+        } else {
+            [pulses_to(counter, high, Negative), pulses_to(counter, low, Positive)]
+        })
+    }
+
     /// The counters that meet it, from the lowest to the highest; `None` if there are none.
     fn arc(self) -> Option<[i64; 2]> {
         let [low, high] = match self {
@@ -79,21 +91,25 @@ const fn pulses_to(from: i32, to: i32, direction: Direction) -> u32 {
     }
 }
 
+/// How far it is from `way` to the next multiples of `period`: down and up. 0 has none.
+pub const fn room(period: u32, way: i64) -> Option<[u32; 2]> {
+    if period == 0 {
+        return None;
+    }
+    let beyond = way.rem_euclid(period as i64) as u32;
+    Some([if beyond == 0 { period } else { beyond }, period - beyond])
+}
+
 /// The pulses of a train that end on a multiple of `period`.
 ///
 /// `way` is the counter's way before the train, counted from where the multiples are counted from; it
 /// does not wrap, so that multiples stay evenly spaced when the counter does. Reaching the origin again
 /// is a hit like every other multiple. A period of 0 is never hit.
 pub fn multiples(period: u32, way: i64, train: &Train) -> Multiples {
-    let first = if period == 0 {
-        u32::MAX
-    } else {
-        let beyond = way.rem_euclid(period.into()) as u32;
-        match train.direction {
-            Direction::Positive => period - beyond,
-            Direction::Negative if beyond == 0 => period,
-            Direction::Negative => beyond,
-        }
+    let first = match (room(period, way), train.direction) {
+        (None, _) => u32::MAX,
+        (Some([down, _]), Direction::Negative) => down,
+        (Some([_, up]), Direction::Positive) => up,
     };
     let left = if period == 0 || first > train.count { 0 } else { (train.count - first) / period + 1 };
     Multiples { train: *train, way, period, next: first, left }
@@ -156,6 +172,16 @@ mod tests {
         }
     }
 
+    /// The room as the first change that a train brings.
+    fn check_room(condition: Condition, counter: i32) {
+        let first = |direction| {
+            let train = Train { interval: 1 << 20, add: 0, count: u32::MAX, ..train(direction, 1) };
+            condition.changes(counter, &train).next().map(|change| change.pulse)
+        };
+        let expected = first(Direction::Negative).zip(first(Direction::Positive)).map(Into::into);
+        assert_eq!(condition.room(counter), expected, "{condition:?} from {counter}");
+    }
+
     /// Against stepping through every pulse.
     fn check(condition: Condition, counter: i32, train: Train) {
         let mut expected = Vec::new();
@@ -183,6 +209,7 @@ mod tests {
                     for counter in near(comparator).chain(near(i32::MAX)) {
                         for condition in [Equal(comparator), Below(comparator), Above(comparator)] {
                             check(condition, counter, train);
+                            check_room(condition, counter);
                         }
                     }
                 }

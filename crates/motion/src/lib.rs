@@ -17,8 +17,10 @@ pub mod joystick;
 pub mod path;
 pub mod plan;
 pub mod pps;
+pub mod pulser;
 mod scurve;
 pub mod speed;
+pub mod sync;
 pub mod tmc429;
 pub mod train;
 

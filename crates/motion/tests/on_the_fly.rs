@@ -210,3 +210,25 @@ fn a_target_goes_with_a_renumbered_place() {
         }
     }
 }
+
+/// Places at which the axis wakes on its way, with windows and marks that are not moved any more.
+#[test]
+fn windows_and_marks_wake_the_axis_at_their_pulse() {
+    let stops = |window: [i64; 2], marks: [i64; 2], places: &[i64]| {
+        let mut bench = Bench::new(false, Goal::Position(3000));
+        bench.axis.set_window(window[0], window[1]);
+        bench.axis.set_marks(marks[0], marks[1]);
+        let mut seen = Vec::new();
+        while let Some(wake) = bench.axis.wake() {
+            bench.until(wake);
+            seen.push(bench.axis.odometer());
+        }
+        assert!(places.iter().all(|place| seen.contains(place)), "{places:?} in {seen:?}");
+        assert_eq!(bench.axis.position(), 3000);
+    };
+    stops([-1, 1001], [-1, 1777], &[1001, 1777]);
+    stops([-1, 1777], [-1, 1001], &[1001, 1777]);
+    // What lies behind does not hide what is to come.
+    stops([-1, 1], [-1, 1777], &[1, 1777]);
+    stops([i64::MIN, i64::MAX], [i64::MIN, 1777], &[1777]);
+}
