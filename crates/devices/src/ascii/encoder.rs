@@ -25,6 +25,18 @@ impl Encoder {
         self.offset.wrapping_add(counted >> self.shift)
     }
 
+    /// The decoder's counts, below and above its present one, at which the counter has come so far down or
+    /// up. Where they are too far away for a decoder that wraps, it is told earlier.
+    pub fn window(&self, [down, up]: [u32; 2], decoder: i32) -> (i32, i32) {
+        let counted = i64::from(decoder.wrapping_sub(self.base)) * if self.reversed { -1 } else { 1 };
+        let steps = counted >> self.shift;
+        let falls = counted - (((steps - i64::from(down) + 1) << self.shift) - 1);
+        let rises = ((steps + i64::from(up)) << self.shift) - counted;
+        let [falls, rises] = [falls, rises].map(|way| way.min(i32::MAX.into()) as i32);
+        let (below, above) = if self.reversed { (rises, falls) } else { (falls, rises) };
+        (decoder.wrapping_sub(below), decoder.wrapping_add(above))
+    }
+
     /// Sets the counter.
     pub const fn set_position(&mut self, position: i32, decoder: i32) {
         self.offset = position;
@@ -63,5 +75,28 @@ mod tests {
         check(1, true, 137, [137, 8]);
         check(1, true, 137, [127, 13]);
         check(0, false, 127, [100, -14]);
+    }
+    #[test]
+    fn windows_end_where_the_counter_has_come_so_far() {
+        for (shift, reversed) in [(0, false), (0, true), (1, false), (2, false), (2, true)] {
+            let mut encoder = Encoder::new(7, shift);
+            encoder.set_counting(shift, reversed, 7);
+            encoder.set_position(-3, 7);
+            for decoder in -40..40 {
+                for room in [[1, 1], [2, 5], [9, 1]] {
+                    let now = encoder.position(decoder);
+                    let reached = |other: &i32| {
+                        let moved = encoder.position(*other) - now;
+                        moved >= room[1] as i32 || moved <= -(room[0] as i32)
+                    };
+                    let below = (-200..decoder).rev().find(reached).unwrap();
+                    let above = (decoder + 1..200).find(reached).unwrap();
+                    let window = encoder.window(room, decoder);
+                    assert_eq!(window, (below, above), "{encoder:?} at {decoder}, {room:?}");
+                }
+            }
+        }
+        let far = Encoder::new(0, 2).window([u32::MAX, 1 << 29], 5);
+        assert_eq!(far, (5_i32.wrapping_sub(i32::MAX), 5_i32.wrapping_add(i32::MAX)));
     }
 }
