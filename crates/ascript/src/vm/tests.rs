@@ -235,6 +235,23 @@ fn an_error_in_the_error_subroutine_ends_the_program() {
 }
 
 #[test]
+fn a_program_that_stops_itself_in_its_error_subroutine_ends_with_it() {
+    let mut memory = memory("PRG 0\nV1=1\nV2=2\nEND\nSUB 31\nV3=3\nENDSUB\n");
+    let mut thread = started(&memory);
+    assert_eq!(thread.run(&mut memory, 2), (2, Exit::Budget));
+    assert!(thread.fail(&memory, false));
+    thread.stop_itself();
+    assert_eq!(thread.state(), State::Running);
+    assert_eq!(thread.run(&mut memory, 100).1, Exit::Stopped);
+    assert_eq!(thread.state(), State::Idle);
+    assert_eq!([1, 2, 3].map(|number| memory.variable(number)), [Some(1), Some(0), Some(3)]);
+    // Anywhere else it stops at once.
+    let mut thread = started(&memory);
+    thread.stop_itself();
+    assert_eq!(thread.state(), State::Idle);
+}
+
+#[test]
 fn without_an_error_subroutine_the_program_ends() {
     let mut memory = memory("PRG 0\nWAITX\nEND\n");
     let mut thread = started(&memory);

@@ -27,8 +27,8 @@ pub struct Thread {
 /// An error subroutine that runs: what to go back to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Handler {
-    /// The line to go on with.
-    counter: u16,
+    /// The line to go on with; none if the program ends then.
+    counter: Option<u16>,
     /// How many return addresses are those of the program.
     depth: usize,
     temporaries: [i32; TEMPORARIES],
@@ -68,6 +68,14 @@ impl Thread {
     /// Stops the program for good. The counter stays where it is.
     pub fn stop(&mut self) {
         self.end(State::Idle);
+    }
+
+    /// Stops the program for good, if its error subroutine runs where that ends.
+    pub fn stop_itself(&mut self) {
+        match &mut self.handler {
+            Some(handler) => handler.counter = None,
+            None => self.stop(),
+        }
     }
 
     fn end(&mut self, state: State) {
@@ -166,7 +174,8 @@ impl Thread {
             self.stack.clear();
         }
         let counter = if restart { self.start } else { self.counter };
-        self.handler = Some(Handler { counter, depth: self.stack.len(), temporaries: self.temporaries });
+        self.handler =
+            Some(Handler { counter: Some(counter), depth: self.stack.len(), temporaries: self.temporaries });
         self.counter = line;
         self.pending = None;
         self.fetched = None;
@@ -177,9 +186,8 @@ impl Thread {
     pub(super) fn return_from_subroutine(&mut self) -> bool {
         if let Some(handler) = self.handler.filter(|handler| handler.depth == self.stack.len()) {
             self.handler = None;
-            self.counter = handler.counter;
             self.temporaries = handler.temporaries;
-            return true;
+            return handler.counter.map(|line| self.counter = line).is_some();
         }
         self.stack.pop().map(|line| self.counter = line).is_some()
     }

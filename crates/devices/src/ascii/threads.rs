@@ -210,6 +210,12 @@ impl<const N: usize> Threads<N> {
         self.threads[number].hold = None;
     }
 
+    /// Ends a program whose own line says so; one that is in its error subroutine goes to its end first
+    /// (CMD-4CR manual, 5.4.10).
+    pub fn stop_itself(&mut self, number: usize) {
+        self.threads[number].thread.stop_itself();
+    }
+
     /// A program is to go on later.
     pub fn pause(&mut self, number: usize) {
         self.threads[number].thread.pause();
