@@ -17,7 +17,7 @@ pub struct Args {
 /// What to do.
 #[derive(Subcommand)]
 pub enum Command {
-    /// Serve virtual controllers over TCP, pseudo-terminals and CAN adapters
+    /// Serve virtual controllers over TCP, pseudo-terminals, CAN adapters and USB HID
     Serve(ServeArgs),
     /// Run a program in virtual time
     Run(RunArgs),
@@ -43,10 +43,11 @@ pub enum Command {
 /// Arguments of `serve`.
 #[derive(Group)]
 #[command(after_help = "\
-ENDPOINT is tcp:HOST:PORT (port 0 picks one), pty:PATH (PATH becomes a link to the terminal) or
-slcan-tcp:HOST:PORT. Devices with the same endpoint share an RS-485 or CAN bus; a name that is there
-again is the same device at one more endpoint. Without devices and bench file there is one of each model,
-on ports 4001, 4002, ... of 127.0.0.1.")]
+ENDPOINT is tcp:HOST:PORT (port 0 picks one), pty:PATH (PATH becomes a link to the terminal),
+slcan-tcp:HOST:PORT, or hid-tcp:HOST:PORT and hid-unix:PATH for the 64-byte reports of USB HID, of which the
+first one from the device is its name. Devices with the same endpoint share an RS-485 or CAN bus; a name
+that is there again is the same device at one more endpoint. Without devices and bench file there is one of
+each model, on ports 4001, 4002, ... of 127.0.0.1.")]
 pub struct ServeArgs {
     /// A device and where it listens
     #[arg(value_name = "MODEL[=NAME]@ENDPOINT")]

@@ -11,6 +11,7 @@ use std::{
     fs::{self, OpenOptions},
     io::{BufRead, BufReader, Read, Write},
     net::{TcpListener, TcpStream},
+    os::unix::net::UnixStream,
 };
 
 const TCP: &str = "pd42-1140@tcp:127.0.0.1:0";
@@ -67,6 +68,25 @@ fn a_move_over_a_terminal() {
     }
     assert_eq!(serve.end(Signal::INT), Some(0));
     assert!(fs::symlink_metadata(directory.join("port")).is_err(), "the link is removed");
+}
+
+#[test]
+fn reports_over_a_unix_socket() {
+    let directory = directory(&[]);
+    let serve = Serve::start(&directory, &["pmx-2ed=stage@hid-unix:hid", "--no-http"], 1);
+    assert_eq!(serve.ready[0], ("stage".into(), "hid-unix:hid".into()));
+    let mut port = UnixStream::connect(directory.join("hid")).unwrap();
+    port.set_read_timeout(Some(PATIENCE)).unwrap();
+    let mut report = [0; 64];
+    port.read_exact(&mut report).unwrap();
+    assert!(report.starts_with(b"2ED00\0"));
+    let mut command = [0; 64];
+    command[..3].copy_from_slice(b"VER");
+    port.write_all(&command).unwrap();
+    port.read_exact(&mut report).unwrap();
+    assert!(report.starts_with(b"V128BL\0"));
+    assert_eq!(serve.end(Signal::TERM), Some(0));
+    assert!(fs::symlink_metadata(directory.join("hid")).is_err(), "the socket is removed");
 }
 
 #[test]
@@ -257,6 +277,9 @@ fn wrong_arguments_are_refused_in_one_line() {
     check(&["pd42-1140@tcp:127.0.0.1:99999"], "`99999` is not a port");
     check(&["pd42-1140@pty:file", "--no-http"], "pty:file: exists and is not a link");
     check(&["pd42-1140@pty:a", "pd42-1140@pty:a"], "`pd42-1140` is at pty:a already");
+    check(&["pd42-1140@hid-tcp:h:0", "--no-http"], "hid-tcp:h:0: a pd42-1140 is no HID device");
+    check(&["pmx-2ed=a@hid-unix:s", "pmx-2ed=b@hid-unix:s", "--no-http"], "hid-unix:s: `a` is there already");
+    check(&["pmx-2ed=a@hid-unix:file", "--no-http"], "hid-unix:file: exists and is not a socket");
     check(&["--speed", "0", TCP], "a speed is a number from 0.001 to 1000");
     check(&["--speed", "fast", TCP], "a speed is a number from 0.001 to 1000");
     check(&["--http", "127.0.0.1:0", "--no-http", TCP], "cannot be used with");

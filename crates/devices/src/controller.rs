@@ -145,6 +145,12 @@ pub trait Controller {
     /// The pins; their index is their number everywhere.
     fn pins(&self) -> &'static [Pin];
 
+    /// The number, 0 to 99, that tells several of its kind on USB apart: as it was set at power-up. Asked of
+    /// those [models](crate::Model::hid_product) alone that have one.
+    fn number(&self) -> u8 {
+        0
+    }
+
     /// Whether a change of this input matters now. An index mark that nobody looks at need not
     /// interrupt a cruise.
     fn watches(&self, pin: usize) -> bool;

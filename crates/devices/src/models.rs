@@ -22,6 +22,9 @@ pub struct Model {
     pub title: &'static str,
     /// What its programs are written in.
     pub language: Language,
+    /// The product's name on USB if it is a device of reports there (HID), without the digits of its
+    /// [number](crate::Controller::number) that follow; `None` for a serial port.
+    pub hid_product: Option<&'static str>,
     /// Bytes of flash that it needs, a multiple of the page.
     pub flash_bytes: u32,
     /// Builds one that has just been switched on, at clock 0. `seed` is what its random numbers start
@@ -35,6 +38,7 @@ pub static MODELS: &[Model] = &[
         name: "pd42-1140",
         title: "Trinamic PD42-1140, TMCL firmware V1.47",
         language: Language::Tmcl,
+        hid_product: None,
         flash_bytes: pd42::FLASH_BYTES,
         build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
     },
@@ -42,6 +46,7 @@ pub static MODELS: &[Model] = &[
         name: "pmx-2ed",
         title: "Arcus PMX-2ED-SA, firmware V128BL",
         language: Language::Ascript(&ascript::dialect::PERFORMAX_2),
+        hid_product: Some(pmx2ed::NAME),
         flash_bytes: pmx2ed::FLASH_BYTES,
         build: |flash, _| Box::new(pmx2ed::Pmx2ed::new(flash)),
     },

@@ -10,6 +10,7 @@
 
 pub mod ascii;
 pub mod can;
+pub mod hid;
 pub mod performax;
 pub mod slcan;
 pub mod tmcl;

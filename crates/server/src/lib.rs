@@ -1,7 +1,7 @@
 //! Devices in real time, with everything that one can plug into them: TCP, pseudo-terminals, CAN
-//! adapters, shared buses, and the HTTP interface.
+//! adapters, USB HID, shared buses, and the HTTP interface.
 //!
-//! - Every endpoint has a thread; every TCP client has one too, and asks the devices itself.
+//! - Every endpoint has a thread; every client of a socket has one too, and asks the devices itself.
 //! - Every device has a thread that does what happens without being asked, and a lock.
 //! - HTTP runs in one more thread.
 //! - With a directory for state, one thread keeps the flash images on disk.
@@ -20,10 +20,10 @@ pub use clock::SPEEDS;
 pub use http::Token;
 pub use signals::Signals;
 
-use endpoint::{Framing, Line, Pty, Tcp};
+use endpoint::{Framing, Line, Pty, Sockets};
 use http::Http;
 use images::Images;
-use sim::{Bus, DeviceConfig, Endpoint, VirtualDevice, flash::ImageError};
+use sim::{Bus, DeviceConfig, Endpoint, PlaceError, VirtualDevice, flash::ImageError};
 use std::{
     io,
     path::PathBuf,
@@ -56,6 +56,14 @@ pub enum Error {
         endpoint: String,
         /// What the system says.
         source: io::Error,
+    },
+    /// A device cannot be at one of its endpoints.
+    #[error("{endpoint}: {source}")]
+    Place {
+        /// The endpoint.
+        endpoint: String,
+        /// What is wrong with it.
+        source: PlaceError,
     },
     /// Something else that the system refuses.
     #[error("{what}: {source}")]
@@ -111,6 +119,12 @@ impl Server {
             .map_err(Error::system("HTTP thread"))?;
 
         // Everything that can fail comes before the first thread.
+        for (index, device) in settings.devices.iter().enumerate() {
+            for endpoint in &device.listen {
+                let place = device.fits(endpoint, &settings.devices[..index]);
+                place.map_err(|source| Error::Place { endpoint: endpoint.to_string(), source })?;
+            }
+        }
         let buses = sim::buses(&settings.devices);
         let doors = buses.iter().map(Door::open).collect::<Result<Vec<_>, _>>()?;
         let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
@@ -197,15 +211,18 @@ impl Server {
 
 /// An endpoint that is open but not served yet.
 enum Door {
-    Tcp(Tcp),
+    Sockets(Sockets),
     Pty(Pty),
 }
 
 impl Door {
     fn open(bus: &Bus) -> Result<Self, Error> {
+        let tcp = |host, port, framing| Sockets::tcp((host, port), framing).map(Self::Sockets);
         let door = match &bus.endpoint {
-            Endpoint::Tcp { host, port } => Tcp::bind((host, *port), Framing::Plain).map(Self::Tcp),
-            Endpoint::SlcanTcp { host, port } => Tcp::bind((host, *port), Framing::Slcan).map(Self::Tcp),
+            Endpoint::Tcp { host, port } => tcp(host, *port, Framing::Plain),
+            Endpoint::SlcanTcp { host, port } => tcp(host, *port, Framing::Slcan),
+            Endpoint::HidTcp { host, port } => tcp(host, *port, Framing::Hid),
+            Endpoint::HidUnix { path } => Sockets::unix(path, Framing::Hid).map(Self::Sockets),
             Endpoint::Pty { path } => Pty::open(path).map(Self::Pty),
         };
         door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
@@ -214,17 +231,19 @@ impl Door {
     /// The endpoint with the real port.
     fn name(&self, asked: &Endpoint) -> String {
         let mut endpoint = asked.clone();
-        if let (Self::Tcp(tcp), Endpoint::Tcp { port, .. } | Endpoint::SlcanTcp { port, .. }) =
-            (self, &mut endpoint)
+        if let (
+            Self::Sockets(sockets),
+            Endpoint::Tcp { port, .. } | Endpoint::SlcanTcp { port, .. } | Endpoint::HidTcp { port, .. },
+        ) = (self, &mut endpoint)
         {
-            *port = tcp.port();
+            *port = sockets.port().unwrap_or(*port);
         }
         endpoint.to_string()
     }
 
     fn serve(self, line: Arc<Line>, stop: &stop::Watch) {
         match self {
-            Self::Tcp(tcp) => tcp.serve(&line, stop),
+            Self::Sockets(sockets) => sockets.serve(&line, stop),
             Self::Pty(pty) => pty.serve(&line, stop),
         }
     }

@@ -24,7 +24,7 @@ pub mod run;
 #[cfg(test)]
 mod testing;
 
-pub use config::{AxisConfig, Bench, BenchError, Bus, DeviceConfig, Endpoint, buses};
+pub use config::{AxisConfig, Bench, BenchError, Bus, DeviceConfig, Endpoint, PlaceError, buses};
 pub use device::{DeviceState, Input, PinError, PinValue, Sent, TimedInput, VirtualDevice};
 pub use flash::SharedFlash;
 pub use run::{Program, RunOptions, RunResult, StopReason, run};

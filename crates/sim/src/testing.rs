@@ -6,8 +6,14 @@ use devices::{
 use motion::{Direction, Moment, Ticks, Train, train::EVERY_SLOT};
 
 /// The models of tests.
-pub static MODELS: &[Model] =
-    &[Model { name: "test", title: "Test", language: devices::Language::Tmcl, flash_bytes: 8192, build }];
+pub static MODELS: &[Model] = &[Model {
+    name: "test",
+    title: "Test",
+    language: devices::Language::Tmcl,
+    hid_product: None,
+    flash_bytes: 8192,
+    build,
+}];
 
 pub const CLOCK_HZ: u32 = 1_000_000;
 

@@ -2,16 +2,13 @@
 
 use super::refusal::Refusal;
 use super::table::{AXES, AXIS_COUNT, COMMANDS, Id};
-use super::{Pmx2ed, joystick, polarity};
+use super::{NAME, Pmx2ed, joystick, polarity};
 use crate::ascii::station::Halt;
 use crate::ascii::{Parsed, Value, parse};
 use crate::board::Board;
 use crate::flash::Flash;
 use core::fmt::Write;
 use protocol::performax::{MAX_REPLY, Reply};
-
-/// Device names are these with the two digits of the number.
-const NAME: &str = "2ED";
 
 /// The greatest zero tolerance of the joystick, in mV.
 const MAX_TOLERANCE_MV: i32 = 5000;

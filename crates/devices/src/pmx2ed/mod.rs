@@ -46,6 +46,9 @@ const LINE_MICROS: u32 = 100;
 /// Clock and speeds.
 const FAMILY: Family = Family { clock_hz: pps::CLOCK_HZ, windows: &pps::PERFORMAX };
 
+/// Device names are this with the two digits of the number (manual, 6.3).
+pub const NAME: &str = "2ED";
+
 /// Bytes of flash that the controller needs: the program of 1,275 lines and all settings, three times.
 pub const FLASH_BYTES: u32 = 48 * crate::flash::PAGE_BYTES;
 
@@ -204,6 +207,10 @@ impl<F: Flash> Controller for Pmx2ed<F> {
 
     fn pins(&self) -> &'static [Pin] {
         pins::PINS
+    }
+
+    fn number(&self) -> u8 {
+        self.wire.address
     }
 
     fn watches(&self, number: usize) -> bool {

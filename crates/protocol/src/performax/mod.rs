@@ -1,9 +1,9 @@
 //! The ASCII protocol of the Performax and Commander controllers (PMX-2ED-SA manual, 6.1 to 6.3; CMD-4CR
-//! manual, 6).
+//! manual, 3).
 //!
 //! A command is a line of text, and so is its reply. On RS-485 an `@` and the two digits of the device's
 //! number stand before the command and both lines end with a carriage return. On USB both are packets of
-//! [`PACKET_LENGTH`] bytes, ended by a NUL, without a number.
+//! [`PACKET_LENGTH`] bytes, ended by a NUL, without a number; [`hid`](crate::hid) has the rest of USB.
 
 mod packet;
 mod receiver;

@@ -16,6 +16,15 @@ impl Line {
         Self { stations }
     }
 
+    /// The device of a line that is no bus.
+    ///
+    /// # Panics
+    /// If there is another one.
+    pub fn only(&self) -> &Arc<Unit> {
+        assert_eq!(self.stations.len(), 1, "one device is at an endpoint that is not shared");
+        &self.stations[0].0
+    }
+
     /// Somebody who talks over the line; `sink` takes what devices say later by themselves.
     pub fn client(&self, sink: Arc<dyn Sink>) -> Client<'_> {
         Client { line: self, sink, sent: Vec::new() }

@@ -3,14 +3,17 @@
 //! A command is answered by the thread that read it, so a round trip never waits for another thread to
 //! be woken.
 
+mod hid;
 mod line;
 mod pty;
 mod slcan;
-mod tcp;
+mod socket;
+mod stream;
+mod unix;
 
 pub(crate) use line::Line;
 pub(crate) use pty::Pty;
-pub(crate) use tcp::{Framing, Tcp};
+pub(crate) use socket::{Framing, Sockets};
 
 /// Where bytes go that a device sends by itself: to the client that spoke last.
 pub(crate) trait Sink: Send + Sync {

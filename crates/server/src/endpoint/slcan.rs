@@ -2,21 +2,19 @@
 
 use super::{
     Line, Sink,
-    tcp::{StreamSink, receive},
+    stream::{Stream, StreamSink},
 };
 use protocol::{
     can,
     slcan::{Adapter, Lines},
 };
 use std::{
-    io::Write,
-    net::TcpStream,
     sync::{Arc, Mutex, MutexGuard, PoisonError},
     time::Instant,
 };
 
 /// One connection, to its end. Each has an adapter of its own, as if everybody had plugged one in.
-pub(super) fn talk(stream: &Arc<TcpStream>, line: &Line) {
+pub(super) fn talk(stream: &Arc<Stream>, line: &Line) {
     let bus = Arc::new(BusSink {
         adapter: Mutex::new(Adapter::new()),
         stream: StreamSink(Arc::clone(stream)),
@@ -24,7 +22,7 @@ pub(super) fn talk(stream: &Arc<TcpStream>, line: &Line) {
     });
     let mut client = line.client(bus.clone());
     let mut lines = Lines::new();
-    receive(stream, |bytes| {
+    stream.receive(|bytes| {
         let mut answer = Vec::new();
         for byte in bytes {
             let Some(line) = lines.push(*byte) else { continue };
@@ -38,7 +36,7 @@ pub(super) fn talk(stream: &Arc<TcpStream>, line: &Line) {
                 });
             }
         }
-        answer.is_empty() || (&**stream).write_all(&answer).is_ok()
+        stream.send(&answer)
     });
 }
 

@@ -27,6 +27,7 @@ pub static PARROT: Model = Model {
     name: "parrot",
     title: "says back what it hears",
     language: devices::Language::Tmcl,
+    hid_product: Some("PARROT-"),
     flash_bytes: 8192,
     build: parrot,
 };

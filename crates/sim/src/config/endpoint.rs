@@ -24,13 +24,28 @@ pub enum Endpoint {
         /// TCP port.
         port: u16,
     },
+    /// `hid-tcp:HOST:PORT`: reports of USB HID over TCP.
+    HidTcp {
+        /// Name or address of the interface, an IPv6 address without its brackets.
+        host: String,
+        /// TCP port.
+        port: u16,
+    },
+    /// `hid-unix:PATH`: reports of USB HID over a Unix socket.
+    HidUnix {
+        /// The socket.
+        path: PathBuf,
+    },
 }
+
+/// How each kind is written, for messages.
+const FORMS: &str = "tcp:HOST:PORT, pty:PATH, slcan-tcp:HOST:PORT, hid-tcp:HOST:PORT or hid-unix:PATH";
 
 /// Why a text is not an endpoint.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum EndpointError {
     /// It starts with none of the known kinds.
-    #[error("`{0}` is not an endpoint: write tcp:HOST:PORT, pty:PATH or slcan-tcp:HOST:PORT")]
+    #[error("`{0}` is not an endpoint: write {FORMS}")]
     Kind(String),
     /// Host or port is missing.
     #[error("`{0}` needs a host and a port: HOST:PORT")]
@@ -39,15 +54,34 @@ pub enum EndpointError {
     #[error("`{0}` is not a port: 0 to 65535")]
     Port(String),
     /// The path is empty.
-    #[error("the path of pty: is missing")]
-    Path,
+    #[error("the path of {0}: is missing")]
+    Path(&'static str),
+}
+
+/// Why a device cannot be at an endpoint.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PlaceError {
+    /// It speaks in no reports over USB.
+    #[error("a {0} is no HID device")]
+    NotHid(&'static str),
+    /// Another device is there, and USB is no bus.
+    #[error("`{0}` is there already, and a HID endpoint has one device")]
+    Taken(String),
 }
 
 impl Endpoint {
     /// Whether two devices that name it share it. An endpoint whose port the system picks belongs to one
     /// device alone.
     pub fn can_be_shared(&self) -> bool {
-        !matches!(self, Self::Tcp { port: 0, .. } | Self::SlcanTcp { port: 0, .. })
+        !matches!(
+            self,
+            Self::Tcp { port: 0, .. } | Self::SlcanTcp { port: 0, .. } | Self::HidTcp { port: 0, .. }
+        )
+    }
+
+    /// Whether what is there is a device of USB, with reports and a name.
+    pub fn is_hid(&self) -> bool {
+        matches!(self, Self::HidTcp { .. } | Self::HidUnix { .. })
     }
 }
 
@@ -60,8 +94,11 @@ impl FromStr for Endpoint {
             Some(("slcan-tcp", rest)) => {
                 host_and_port(rest).map(|(host, port)| Self::SlcanTcp { host, port })
             }
-            Some(("pty", "")) => Err(EndpointError::Path),
+            Some(("hid-tcp", rest)) => host_and_port(rest).map(|(host, port)| Self::HidTcp { host, port }),
+            Some(("pty", "")) => Err(EndpointError::Path("pty")),
             Some(("pty", path)) => Ok(Self::Pty { path: path.into() }),
+            Some(("hid-unix", "")) => Err(EndpointError::Path("hid-unix")),
+            Some(("hid-unix", path)) => Ok(Self::HidUnix { path: path.into() }),
             _ => Err(EndpointError::Kind(text.into())),
         }
     }
@@ -86,6 +123,8 @@ impl fmt::Display for Endpoint {
         let (kind, host, port) = match self {
             Self::Tcp { host, port } => ("tcp", host, port),
             Self::SlcanTcp { host, port } => ("slcan-tcp", host, port),
+            Self::HidTcp { host, port } => ("hid-tcp", host, port),
+            Self::HidUnix { path } => return write!(f, "hid-unix:{}", path.display()),
             Self::Pty { path } => return write!(f, "pty:{}", path.display()),
         };
         if host.contains(':') {
@@ -108,16 +147,23 @@ mod tests {
 
     #[test]
     fn endpoints_survive_a_round_trip() {
-        for text in
-            ["tcp:127.0.0.1:4001", "tcp:localhost:0", "tcp:[::1]:4001", "pty:/run/motor", "slcan-tcp:h:65535"]
-        {
+        for text in [
+            "tcp:127.0.0.1:4001",
+            "tcp:localhost:0",
+            "tcp:[::1]:4001",
+            "pty:/run/motor",
+            "slcan-tcp:h:65535",
+            "hid-tcp:[::]:4005",
+            "hid-unix:/run/motor:1",
+        ] {
             check(text, Ok(text));
         }
     }
 
     #[test]
     fn other_texts_are_refused() {
-        let kind = "`udp:h:1` is not an endpoint: write tcp:HOST:PORT, pty:PATH or slcan-tcp:HOST:PORT";
+        let kind = "`udp:h:1` is not an endpoint: write tcp:HOST:PORT, pty:PATH, slcan-tcp:HOST:PORT, \
+                    hid-tcp:HOST:PORT or hid-unix:PATH";
         check("udp:h:1", Err(kind));
         check("tcp:4001", Err("`4001` needs a host and a port: HOST:PORT"));
         check("tcp::4001", Err("`:4001` needs a host and a port: HOST:PORT"));
@@ -126,11 +172,14 @@ mod tests {
         check("tcp:h:+80", Err("`+80` is not a port: 0 to 65535"));
         check("tcp:h:", Err("`` is not a port: 0 to 65535"));
         check("pty:", Err("the path of pty: is missing"));
+        check("hid-tcp:4001", Err("`4001` needs a host and a port: HOST:PORT"));
+        check("hid-unix:", Err("the path of hid-unix: is missing"));
     }
 
     #[test]
     fn a_port_that_is_picked_is_never_shared() {
         assert!(!"tcp:h:0".parse::<Endpoint>().unwrap().can_be_shared());
+        assert!(!"hid-tcp:h:0".parse::<Endpoint>().unwrap().can_be_shared());
         assert!("tcp:h:1".parse::<Endpoint>().unwrap().can_be_shared());
         assert!("pty:/p".parse::<Endpoint>().unwrap().can_be_shared());
     }

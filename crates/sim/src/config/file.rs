@@ -107,6 +107,10 @@ pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<
         if devices.iter().any(|other| other.name == device.name) {
             return Err(wrong(&["name"], format!("there is already a device named `{}`", device.name)));
         }
+        for endpoint in &device.listen {
+            let place = device.fits(endpoint, &devices);
+            place.map_err(|error| wrong(&["listen"], format!("{endpoint}: {error}")))?;
+        }
         devices.push(device);
     }
     Ok(Bench { devices })

@@ -5,7 +5,7 @@ mod file;
 #[cfg(test)]
 mod tests;
 
-pub use endpoint::{Endpoint, EndpointError};
+pub use endpoint::{Endpoint, EndpointError, PlaceError};
 pub use file::{BenchError, is_name};
 
 use crate::machine::fitting::fitting;
@@ -83,6 +83,21 @@ impl DeviceConfig {
             temperature_c: DEFAULT_TEMPERATURE_C,
             seed: None,
         }
+    }
+
+    /// Whether it can be at one of its endpoints, besides other devices.
+    ///
+    /// # Errors
+    /// [`PlaceError`].
+    pub fn fits(&self, endpoint: &Endpoint, others: &[Self]) -> Result<(), PlaceError> {
+        if !endpoint.is_hid() {
+            return Ok(());
+        }
+        if self.model.hid_product.is_none() {
+            return Err(PlaceError::NotHid(self.model.name));
+        }
+        let there = |other: &&Self| endpoint.can_be_shared() && other.listen.contains(endpoint);
+        others.iter().find(there).map_or(Ok(()), |other| Err(PlaceError::Taken(other.name.clone())))
     }
 
     /// The machine at this axis, which is the model's usual one where nothing else was said.

@@ -137,10 +137,12 @@ fn devices_that_cannot_be() {
     let name = "[[device]]\nmodel = \"test\"\nname = \"../a\"\n";
     check(name, "bench.toml:3: device.name: `../a` is not a name: letters, digits, `.`, `_`, `-`");
     let listen = "[[device]]\nmodel = \"test\"\nlisten = [\"udp:a\"]\n";
-    let kinds = "write tcp:HOST:PORT, pty:PATH or slcan-tcp:HOST:PORT";
+    let kinds = "write tcp:HOST:PORT, pty:PATH, slcan-tcp:HOST:PORT, hid-tcp:HOST:PORT or hid-unix:PATH";
     check(listen, &format!("bench.toml:3: device.listen: `udp:a` is not an endpoint: {kinds}"));
     let twice = "[[device]]\nmodel = \"test\"\nlisten = [\"tcp:h:1\", \"tcp:h:1\"]\n";
     check(twice, "bench.toml:3: device.listen: `tcp:h:1` is there twice");
+    let serial = "[[device]]\nmodel = \"test\"\nlisten = [\"hid-tcp:h:1\"]\n";
+    check(serial, "bench.toml:3: device.listen: hid-tcp:h:1: a test is no HID device");
     let supply = "[[device]]\nmodel = \"test\"\nsupply = nan\n";
     check(supply, "bench.toml:3: device.supply: NaN V is outside 0 to 1000 V");
     let cold = "[[device]]\nmodel = \"test\"\ntemperature = -300\n";
@@ -227,4 +229,22 @@ fn a_device_is_set_only_what_it_has() {
     let device = &bench.devices[0];
     assert_eq!((device.axis("X").home, device.axis("X").backlash), ([5, 6], 0));
     assert_eq!((device.axis("Y").home, device.axis("Y").backlash), ([-200, 0], 2));
+}
+
+#[test]
+fn a_hid_endpoint_has_one_device() {
+    let bench = |endpoints: [&str; 2]| {
+        let device = |(name, endpoint)| {
+            format!("[[device]]\nmodel = \"pmx-2ed\"\nname = \"{name}\"\nlisten = [\"{endpoint}\"]\n")
+        };
+        let text: String = ["a", "b"].into_iter().zip(endpoints).map(device).collect();
+        Bench::parse(&text, "bench.toml").map(|bench| bench.devices.len()).map_err(|error| error.to_string())
+    };
+    let taken = "`a` is there already, and a HID endpoint has one device";
+    for endpoint in ["hid-tcp:h:1", "hid-unix:/run/a"] {
+        assert_eq!(bench([endpoint; 2]), Err(format!("bench.toml:8: device.listen: {endpoint}: {taken}")));
+    }
+    assert_eq!(bench(["hid-tcp:h:0"; 2]), Ok(2), "one each");
+    assert_eq!(bench(["hid-tcp:h:1", "hid-tcp:h:2"]), Ok(2));
+    assert_eq!(bench(["tcp:h:1"; 2]), Ok(2));
 }

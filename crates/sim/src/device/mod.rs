@@ -22,6 +22,7 @@ use crate::{
 };
 use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramState};
 use motion::Ticks;
+use protocol::hid::Name;
 use schedule::Schedule;
 use wheel::Wheel;
 use world::{Stirred, World};
@@ -122,6 +123,16 @@ impl VirtualDevice {
     /// Clocks a second.
     pub fn clock_hz(&self) -> u32 {
         self.clock_hz
+    }
+
+    /// What it is called on USB if it is a device of reports there; `None` if it is a serial port.
+    pub fn hid_name(&self) -> Option<Name> {
+        Some(Name::new(self.config.model.hid_product?, self.controller.number()))
+    }
+
+    /// The device time at which it was switched on last.
+    pub fn switched_on_at(&self) -> Ticks {
+        self.world.origin
     }
 
     /// Device time in clocks.
