@@ -89,11 +89,11 @@ pub fn of_millidegrees(angle: i32) -> Angle {
     ((angle * TURN + MILLIDEGREES as u128 / 2) / MILLIDEGREES as u128) as Angle
 }
 
-/// The length of an arc of a circle, in 2⁻³²: the square of the radius is below 2⁵⁶, the angle a turn at
-/// the most.
+/// The length of an arc of a circle, in 2⁻³²: the square of the radius is below 2⁵⁶, and the angle a
+/// turn at the most.
 pub fn arc_length(radius_squared: u64, angle: u128) -> u64 {
     let radius = (u128::from(radius_squared) << 64).isqrt();
-    let turns = (radius * (angle >> 32)) >> 32;
+    let turns = (radius * angle) >> 64;
     ((turns * HALF_PI as u128) >> 60) as u64
 }
 

@@ -123,3 +123,65 @@ impl Arc {
             .then(|| Round::new(self.start.map(i64::from), self.turn == Turn::Clockwise, self.travel, slots))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn check(start: [i32; 2], turn: Turn, end: End, expected: [i32; 2]) {
+        let arc = Arc::new([0, 1], start.map(|part| -part), turn, end, None).unwrap();
+        let [x, y] = arc.ends();
+        assert_eq!([start[0] + x, start[1] + y], expected);
+    }
+
+    #[test]
+    fn arcs_end_at_their_angle() {
+        use Turn::{Clockwise, CounterClockwise};
+        for turn in [Clockwise, CounterClockwise] {
+            check([1000, 0], turn, End::Circle, [1000, 0]);
+            check([1000, 0], turn, End::Angle(90_000), [0, 1000]);
+            check([600, -800], turn, End::Angle(180_000), [-1000, 0]);
+            check([134_216_773, 0], turn, End::Angle(-90_000), [0, -134_216_773]);
+            // The radius is 14.14, 14.14 and 2.24.
+            check([10, 10], turn, End::Angle(0), [14, 0]);
+            check([10, 10], turn, End::Angle(225_000), [-10, -10]);
+            check([-1, 2], turn, End::Angle(360_000), [2, 0]);
+            // Half a pulse goes outward; on a diagonal without a point, the second axis is the one that is further
+            // out.
+            check([11, 0], turn, End::Angle(30_000), [9, 6]);
+            check([9, 0], turn, End::Angle(45_000), [6, 7]);
+            check([9, 0], turn, End::Angle(-45_000), [6, -7]);
+            check([10, 0], turn, End::Angle(135_000), [-7, 7]);
+        }
+        // The arc of the CMD-4CR manual's tenth example.
+        let start = [430_589 - 288_899, 20_623 - 267_403];
+        check(start, CounterClockwise, End::Angle(95_000), [-24_801, 283_481]);
+    }
+
+    #[test]
+    fn an_arc_to_where_it_begins_goes_nowhere() {
+        for (start, end) in
+            [([5, 0], 0), ([5, 0], 1000), ([5, 0], 359_000), ([-7, -7], 225_000), ([0, 3], -270_000)]
+        {
+            for turn in [Turn::Clockwise, Turn::CounterClockwise] {
+                check(start, turn, End::Angle(end), start);
+                let arc =
+                    Arc::new([0, 1], start.map(|part| -part), turn, End::Angle(end), Some((2, 5))).unwrap();
+                assert!(arc.round().is_none());
+            }
+        }
+    }
+
+    #[test]
+    fn arcs_that_are_none() {
+        let new = |axes, centre, along| Arc::new(axes, centre, Turn::Clockwise, End::Circle, along).err();
+        assert_eq!(new([0, 1], [1, 0], None), None);
+        assert_eq!(new([1, 0], [0, -134_216_773], Some((3, i32::MIN))), None);
+        assert_eq!(new([0, 1], [0, 0], None), Some(ArcError::Centre));
+        assert_eq!(new([0, 1], [1, -134_216_773], None), Some(ArcError::Radius));
+        assert_eq!(new([0, 1], [i32::MIN; 2], None), Some(ArcError::Radius));
+        assert_eq!(new([2, 2], [1, 0], None), Some(ArcError::Axes));
+        assert_eq!(new([0, 1], [1, 0], Some((1, 5))), Some(ArcError::Axes));
+    }
+}

@@ -79,16 +79,19 @@ fn nearest_root(squared: i64) -> i64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Within half a pulse, in whole numbers: |√n − √r| ≤ ½, where n is the square of the distance of the
-    /// point and r that of the radius, is 4(n − r)² ≤ … without roots (n + r − ¼)² ≤ 4nr.
-    fn is_near(circle: &Circle, [x, y]: Point) -> bool {
-        let (n, r) = (i128::from(x * x + y * y), i128::from(circle.squared));
+impl Circle {
+    /// Whether a point is within half a pulse: |√n − √r| ≤ ½ without roots, n and r the squares of its distance
+    /// and the radius.
+    pub fn is_near(&self, [x, y]: Point) -> bool {
+        let (n, r) = (i128::from(x * x + y * y), i128::from(self.squared));
         let sum = 4 * (n + r) - 1;
         sum <= 0 || sum * sum <= 64 * n * r
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
 
     fn places(circle: &Circle, count: u32) -> impl Iterator<Item = Place> {
         let radius = (circle.squared as f64).sqrt() * (1i64 << PLACE_BITS) as f64;
@@ -109,7 +112,7 @@ mod tests {
                 for pair in all.windows(2) {
                     let way = [0, 1].map(|axis| (pair[1][axis] - pair[0][axis]).abs());
                     assert!(way <= [1, 1], "{x} {y}: {pair:?}");
-                    assert!(is_near(&circle, pair[0]), "{x} {y}: {pair:?}");
+                    assert!(circle.is_near(pair[0]), "{x} {y}: {pair:?}");
                 }
                 for start in [[x, y], [y, x], [-x, y], [y, -x]] {
                     assert_eq!(circle.point(start.map(|at| at << PLACE_BITS)), start);

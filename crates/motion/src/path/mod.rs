@@ -1,8 +1,8 @@
 //! Interpolation: axes that move together along a line, around a circle or on a helix.
 //!
 //! The path is an axis of its own. Its ramps are those of the limits, and its pulses are slots in which the
-//! others step or do not, in the same clocks. Along a line the axis with the longest way steps in every slot
-//! ([`straight`](self)); around a circle a slot is a little less than a pulse of arc, so that the speed of
+//! others step or do not, in the same clocks. Along a line the axis with the longest way steps in every slot;
+//! around a circle a slot is a little less than a pulse of arc, so that the speed of
 //! the limits is that along the circle. Every point that the axes come to is within half a pulse of the line
 //! or circle, whatever the speed does on the way, and the end is exact.
 

@@ -24,8 +24,8 @@ impl Pace {
 
     /// The speed of an axis in pulses, for the speed of the slots and its share in 2⁻³².
     pub fn pulses(self, slots: u64, share: u64) -> Speed {
-        let speed = u128::from(slots) * u128::from(self.length) / (u128::from(self.slots) << 32);
-        ((speed * u128::from(share) + (1 << 31)) >> 32).min(MAX_SPEED.into()) as Speed
+        let speed = (u128::from(slots) << 8) * u128::from(self.length) / (u128::from(self.slots) << 32);
+        ((speed * u128::from(share) + (1 << 39)) >> 40).min(MAX_SPEED.into()) as Speed
     }
 
     /// Limits of slots for limits of pulses. The scale is that of the limits, or coarser if that has no such

@@ -273,6 +273,7 @@ impl Steps {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::path::MAX_RADIUS;
     use crate::train::{EVERY_SLOT, Moment};
 
     fn path(count: u32) -> Train {
@@ -347,6 +348,32 @@ mod tests {
         for slots in [10, 63, 64, 100, 257, 1000, 5000] {
             check([5, 0], false, slots);
             check([-3, 8], true, slots);
+        }
+    }
+
+    /// Pieces of circles too large to go round.
+    #[test]
+    fn large_circles_are_followed_everywhere() {
+        let most = i64::from(MAX_RADIUS);
+        for (number, radius) in (0..).zip([5000, 1 << 20, (1 << 24) - 1, most - 1, most].repeat(40)) {
+            let x = (number * 7_777_777) % (2 * radius) - radius;
+            let start = [x, (radius * radius - x * x).isqrt()];
+            let begin = Round::new(start, number % 2 == 1, TURN, 0);
+            assert_eq!(begin.way(), [0, 0]);
+            let mut round = begin;
+            // Every piece begins at another angle; some at quarters and eighths of the turn.
+            let eighths = begin.ticks as i64 / 8;
+            round.tick =
+                (number % 8) * eighths + (number * number * 1_234_567) % (eighths / (number % 3 + 1)) - 100;
+            round.place = round.place_of(round.tick);
+            round.point = round.circle.point(round.place);
+            let mut at = mirror(round.point, round.mirrored);
+            let slot = round.tick;
+            for step in go(&mut round, slot, 300, true) {
+                at = [0, 1].map(|axis| at[axis] + step[axis]);
+                assert!(round.circle.is_near(at), "{start:?} {at:?}");
+            }
+            assert_eq!(mirror(at, round.mirrored), round.point);
         }
     }
 }

@@ -1,26 +1,12 @@
 //! Random lines, every point of which is held against the line in exact arithmetic.
-//!
-//! 20,000 lines on every run; `PULSETRAIN_LINES=1000000 cargo test -p motion --test lines` does more, and
-//! `PULSETRAIN_SEED=n` plays that one alone.
 
-#[path = "../moves/random.rs"]
-mod random;
-
+use crate::random::Random;
+use crate::{AXES, limits, play_all, set_windows};
 use motion::pps::{self, CLOCK_HZ, Profile};
-use motion::{Axis, Limits, Moment, Move, Path, Train};
-use random::Random;
-
-/// Lines of an ordinary run.
-const LINES: u64 = 20_000;
+use motion::{Axis, Moment, Move, Path, Train};
 
 /// Pulses after which a line is stopped.
 const MOST_PULSES: u32 = 2000;
-
-const AXES: usize = 4;
-
-fn number(name: &str) -> Option<u64> {
-    std::env::var(name).ok()?.replace('_', "").parse().ok()
-}
 
 /// A point of the path: where the axes stand after a moment's pulses.
 struct Track {
@@ -112,28 +98,6 @@ fn way(random: &mut Random) -> [i32; AXES] {
     way
 }
 
-fn limits(random: &mut Random) -> Limits {
-    let high_pps = random.spread(6_000_000);
-    let profile = Profile {
-        low_pps: random.spread(high_pps),
-        high_pps,
-        acceleration_ms: random.spread(500),
-        deceleration_ms: random.spread(500),
-        s_curve: random.chance(40),
-    };
-    profile.limits(pps::scale(6_000_000, CLOCK_HZ), CLOCK_HZ)
-}
-
-/// Windows of the axes, as far away as the dice say.
-fn set_windows(axes: &mut [Axis; AXES], random: &mut Random) -> [[i64; 2]; AXES] {
-    axes.each_mut().map(|axis| {
-        let [below, above] = [(); 2].map(|()| i64::from(random.spread(300)));
-        let [low, high] = [axis.odometer() - below, axis.odometer() + above];
-        axis.set_window(low, high);
-        [low, high]
-    })
-}
-
 fn play(seed: u64) {
     let random = &mut Random::new(seed);
     let way = way(random);
@@ -211,15 +175,7 @@ fn play(seed: u64) {
 
 #[test]
 fn lines_are_straight() {
-    let first = number("PULSETRAIN_SEED");
-    let lines = number("PULSETRAIN_LINES").unwrap_or(if first.is_some() { 1 } else { LINES });
-    let first = first.unwrap_or(0);
-    for seed in first..first + lines {
-        if let Err(cause) = std::panic::catch_unwind(|| play(seed)) {
-            eprintln!("seed {seed}");
-            std::panic::resume_unwind(cause);
-        }
-    }
+    play_all(play);
 }
 
 /// Too long to look at every pulse: the points between trains, and the end.
