@@ -25,6 +25,18 @@ pub const STOP_R: usize = 1;
 pub const HOME: usize = 2;
 pub const INDEX: usize = 3;
 pub const SUPPLY: usize = 4;
+pub const PORT: usize = 7;
+pub const LEVEL: usize = 8;
+pub const SLOWDOWN: usize = 9;
+pub const IN_POSITION: usize = 10;
+
+/// How far it lets an encoder count before it wants to be told again.
+pub const ENCODER_ROOM: i32 = 20;
+
+/// What a report says instead of a pin: a count at the pulser input, up or down.
+pub const PULSER: usize = 100;
+/// The encoder has come to an end of its window.
+pub const ENCODER: usize = 101;
 
 const fn pin(name: &'static str, kind: PinKind, wiring: Wiring, unit: &'static str, rest: i32) -> Pin {
     Pin { name, kind, wiring, unit, scale: 1, rest }
@@ -38,6 +50,10 @@ static PINS: &[Pin] = &[
     Pin { scale: 10, ..pin("SUPPLY", PinKind::Analog, Wiring::Supply, "V", 240) },
     pin("OUT", PinKind::Output, Wiring::Free, "", 0),
     pin("TEMPERATURE", PinKind::Analog, Wiring::Temperature, "°C", 25),
+    pin("PORT", PinKind::Port, Wiring::Free, "", 0),
+    pin("LEVEL", PinKind::AnalogOutput, Wiring::Free, "%", 5),
+    pin("SLOWDOWN", PinKind::Input, Wiring::Slowdown(0), "", 0),
+    pin("IN_POSITION", PinKind::Input, Wiring::InPosition(0), "", 0),
 ];
 
 /// What a test tells the controller, as bytes.
@@ -48,11 +64,19 @@ pub enum Order {
     /// Another driver setting.
     Drive(i16, u8),
     /// Watch these pins, as bits.
-    Watch(u8),
+    Watch(u16),
     /// Program a word of the flash.
     Write(u32, u32),
     /// Switch the output.
     Out(bool),
+    /// Drive the port, or make it an input.
+    Port(Option<bool>),
+    /// Set the analog output.
+    Level(u8),
+    /// Listen to the pulser input.
+    Follow(bool),
+    /// Look out for these counts of the encoder, and from each for those that are [`ENCODER_ROOM`] away.
+    Encoder(i32, i32),
 }
 
 impl Order {
@@ -63,6 +87,10 @@ impl Order {
             Self::Watch(pins) => (2, u64::from(pins)),
             Self::Write(offset, word) => (3, u64::from(offset) << 32 | u64::from(word)),
             Self::Out(on) => (4, u64::from(on)),
+            Self::Port(level) => (5, level.map_or(2, u64::from)),
+            Self::Level(value) => (6, value.into()),
+            Self::Follow(on) => (7, on.into()),
+            Self::Encoder(low, high) => (8, u64::from(low as u32) << 32 | u64::from(high as u32)),
         };
         let mut bytes = [kind; 9];
         bytes[1..].copy_from_slice(&value.to_le_bytes());
@@ -83,7 +111,9 @@ struct TestController {
     target: i64,
     steps: u64,
     window: (i64, i64),
-    watched: u8,
+    watched: u16,
+    follows: bool,
+    encoder: Option<(i32, i32)>,
 }
 
 fn build(flash: Box<dyn Flash + Send>, _seed: u64) -> Box<dyn Controller + Send> {
@@ -95,7 +125,9 @@ fn build(flash: Box<dyn Flash + Send>, _seed: u64) -> Box<dyn Controller + Send>
         target: 0,
         steps: 0,
         window: (i64::MIN, i64::MAX),
-        watched: 0xFF,
+        watched: u16::MAX,
+        follows: false,
+        encoder: None,
     })
 }
 
@@ -103,6 +135,12 @@ impl TestController {
     /// Pulses until the target or the edge of the window.
     fn pulses_left(&self) -> u64 {
         self.target.abs_diff(self.odometer).min(self.pulses_to_edge())
+    }
+
+    fn report(&self, what: usize, on: bool, board: &mut dyn Board) {
+        let mut bytes = vec![what as u8, u8::from(on)];
+        bytes.extend(self.odometer.to_le_bytes());
+        board.send(Port::Usb, &bytes, 0);
     }
 
     fn pulses_to_edge(&self) -> u64 {
@@ -163,18 +201,46 @@ impl Controller for TestController {
                 self.last_pulse = self.now;
             }
             1 => board.drive(0, Drive { step: (value >> 8) as i16, parts: 1, current: value as u8 }),
-            2 => self.watched = value as u8,
+            2 => self.watched = value as u16,
             3 => {
                 let _ = self.flash.write((value >> 32) as u32, &(value as u32).to_le_bytes());
             }
-            _ => board.output(5, value != 0),
+            4 => board.output(5, value != 0),
+            5 if value > 1 => board.release(PORT),
+            5 => board.output(PORT, value != 0),
+            6 => board.output_analog(LEVEL, value as i32),
+            7 => self.follows = value != 0,
+            _ => self.encoder = Some(((value >> 32) as i32, value as i32)),
         }
     }
 
     fn input(&mut self, pin: usize, on: bool, board: &mut dyn Board) {
-        let mut bytes = vec![pin as u8, u8::from(on)];
-        bytes.extend(self.odometer.to_le_bytes());
-        board.send(Port::Usb, &bytes, 0);
+        self.report(pin, on, board);
+    }
+
+    fn has_pulser(&self, _axis: usize) -> bool {
+        true
+    }
+
+    fn watches_pulser(&self, _axis: usize) -> bool {
+        self.follows
+    }
+
+    fn pulser(&mut self, _axis: usize, counts: i32, board: &mut dyn Board) {
+        for _ in 0..counts.unsigned_abs() {
+            self.report(PULSER, counts > 0, board);
+        }
+    }
+
+    fn encoder_window(&self, _channel: usize) -> Option<(i32, i32)> {
+        self.encoder
+    }
+
+    fn encoder_moved(&mut self, channel: usize, board: &mut dyn Board) {
+        let Some((_, high)) = self.encoder else { return };
+        let count = board.encoder(channel);
+        self.report(ENCODER, count >= high, board);
+        self.encoder = Some((count - ENCODER_ROOM, count + ENCODER_ROOM));
     }
 
     fn analog_changed(&mut self, pin: usize, board: &mut dyn Board) {

@@ -2,10 +2,10 @@
 
 use super::{
     AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint, MAX_DEVICES,
-    MAX_PULSES,
+    MAX_IN_POSITION_MS, MAX_MPG_HZ, MAX_PULSES,
 };
 use crate::flash::SharedFlash;
-use devices::{Model, Wiring};
+use devices::{Controller, Model, Wiring};
 use serde::Deserialize;
 use std::{collections::BTreeMap, path::Path};
 use toml::{
@@ -79,6 +79,18 @@ struct AxisEntry {
     backlash: Option<i64>,
     load: Option<f64>,
     hard_stops: Option<[i64; 2]>,
+    slowdown: Option<SlowdownEntry>,
+    in_position_ms: Option<u32>,
+    mpg_from: Option<String>,
+    mpg_hz: Option<u32>,
+}
+
+/// Where the slowdown switch is on.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "expected one zone as `[0, 5]` or two as `[[0, 5], [10, 15]]`")]
+enum SlowdownEntry {
+    One([i64; 2]),
+    Two([[i64; 2]; 2]),
 }
 
 pub(super) fn read(path: &Path) -> Result<Bench, BenchError> {
@@ -163,22 +175,83 @@ fn device(
     let names = controller.axes();
     let mut axes = BTreeMap::new();
     for (axis, entry) in entry.axis {
-        if !names.contains(&axis.as_str()) {
+        let Some(number) = names.iter().position(|name| *name == axis) else {
             let problem = format!("unknown axis `{axis}`, {} has: {}", model.name, names.join(", "));
             return Err(wrong(&["axis", &axis], problem));
-        }
-        let config = axis_config(model, entry, &|key, problem| wrong(&["axis", &axis, key], problem))?;
+        };
+        let wrong = |key: &str, problem| wrong(&["axis", &axis, key], problem);
+        let usual = AxisConfig::of_model(model.name);
+        let usual = signals(controller.as_ref(), number, &entry, usual, &wrong)?;
+        let config = axis_config(entry, usual, &wrong)?;
         axes.insert(axis, config);
     }
     Ok(DeviceConfig { model, name, listen, axes, supply_v, temperature_c, seed: entry.seed })
 }
 
-fn axis_config(
-    model: &Model,
-    entry: AxisEntry,
+/// What is wired to an axis beside its switches: `usual` with that.
+fn signals(
+    controller: &dyn Controller,
+    axis: usize,
+    entry: &AxisEntry,
+    usual: AxisConfig,
     wrong: &dyn Fn(&str, String) -> BenchError,
 ) -> Result<AxisConfig, BenchError> {
-    let usual = AxisConfig::of_model(model.name);
+    let has = |wiring: Wiring| controller.pins().iter().any(|pin| pin.wiring == wiring);
+    let missing = [
+        ("slowdown", entry.slowdown.is_some() && !has(Wiring::Slowdown(axis)), "slowdown"),
+        ("in_position_ms", entry.in_position_ms.is_some() && !has(Wiring::InPosition(axis)), "in-position"),
+        ("mpg_from", entry.mpg_from.is_some() && !controller.has_pulser(axis), "MPG"),
+        ("mpg_hz", entry.mpg_hz.is_some() && !controller.has_pulser(axis), "MPG"),
+    ];
+    if let Some((key, _, input)) = missing.into_iter().find(|(_, missing, _)| *missing) {
+        return Err(wrong(key, format!("the device has no {input} input for this axis")));
+    }
+    let slowdown = match entry.slowdown {
+        None => usual.slowdown,
+        Some(SlowdownEntry::One(zone)) => [Some(zone), None],
+        Some(SlowdownEntry::Two(zones)) => zones.map(Some),
+    };
+    let ends: Vec<_> = slowdown.into_iter().flatten().flatten().collect();
+    if let [_, end, start, _] = ends[..]
+        && end.saturating_add(1) >= start
+    {
+        return Err(wrong("slowdown", format!("the second zone must begin above {end}, with a gap")));
+    }
+    if let Some(pair) = ends.windows(2).find(|pair| pair[0] > pair[1]) {
+        return Err(wrong("slowdown", format!("{} must not lie above {}", pair[0], pair[1])));
+    }
+    if let Some(end) = ends.iter().find(|end| !(-MAX_PULSES..=MAX_PULSES).contains(*end)) {
+        return Err(wrong("slowdown", format!("{end} is outside -{MAX_PULSES} to {MAX_PULSES} pulses")));
+    }
+    if let Some(ms) = entry.in_position_ms.filter(|ms| !(1..=MAX_IN_POSITION_MS).contains(ms)) {
+        return Err(wrong("in_position_ms", format!("{ms} is outside 1 to {MAX_IN_POSITION_MS} ms")));
+    }
+    let names = controller.axes();
+    let mpg_from = match &entry.mpg_from {
+        None => None,
+        Some(name) => match names.iter().position(|other| other == name) {
+            None => {
+                return Err(wrong("mpg_from", format!("unknown axis `{name}`, known: {}", names.join(", "))));
+            }
+            Some(other) if other == axis => {
+                return Err(wrong("mpg_from", "an axis does not follow itself".into()));
+            }
+            other => other,
+        },
+    };
+    let mpg_hz = entry.mpg_hz.unwrap_or(usual.mpg_hz);
+    if !(1..=MAX_MPG_HZ).contains(&mpg_hz) {
+        return Err(wrong("mpg_hz", format!("{mpg_hz} is outside 1 to {MAX_MPG_HZ} counts a second")));
+    }
+    Ok(AxisConfig { slowdown, in_position_ms: entry.in_position_ms, mpg_from, mpg_hz, ..usual })
+}
+
+/// `usual` with the machine that an entry describes.
+fn axis_config(
+    entry: AxisEntry,
+    usual: AxisConfig,
+    wrong: &dyn Fn(&str, String) -> BenchError,
+) -> Result<AxisConfig, BenchError> {
     // Said only where it was given, so that the message points to a line that exists.
     let limit_key = if entry.positive_limit.is_some() { "positive_limit" } else { "negative_limit" };
     let config = AxisConfig {

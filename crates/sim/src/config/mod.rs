@@ -24,6 +24,12 @@ pub const DEFAULT_SUPPLY_V: f64 = 24.0;
 /// Temperature of the driver stage where a bench file names none, in °C.
 pub const DEFAULT_TEMPERATURE_C: f64 = 25.0;
 
+/// Longest time that a servo driver may need to come into position.
+pub const MAX_IN_POSITION_MS: u32 = 60_000;
+
+/// Most counts a second of a hand wheel.
+pub const MAX_MPG_HZ: u32 = 1_000_000;
+
 /// Counts a second of a hand wheel where a bench file names none.
 pub const DEFAULT_MPG_HZ: u32 = 10_000;
 

@@ -35,6 +35,9 @@ fn everything_can_be_said() {
         backlash = 3
         load = 0.25
         hard_stops = [-21000, 1001000]
+        slowdown = [[-500, -400], [90000, 100000]]
+        in_position_ms = 20
+        mpg_hz = 400
 
         [[device]]
         model = "test"
@@ -49,7 +52,10 @@ fn everything_can_be_said() {
         backlash: 3,
         load: 0.25,
         hard_stops: Some([-21_000, 1_001_000]),
-        ..AxisConfig::of_model("test")
+        slowdown: [Some([-500, -400]), Some([90_000, 100_000])],
+        in_position_ms: Some(20),
+        mpg_from: None,
+        mpg_hz: 400,
     };
     let first = DeviceConfig {
         name: "stage".into(),
@@ -101,7 +107,8 @@ fn keys_that_do_not_exist() {
     check_axis(
         "home = [0, 1]\nbacklsh = 3\n",
         "bench.toml:5: device.axis.0.backlsh: unknown field `backlsh`, expected one of \
-         `negative_limit`, `positive_limit`, `home`, `index_every`, `encoder_ratio`, `backlash`, `load`, `hard_stops`",
+         `negative_limit`, `positive_limit`, `home`, `index_every`, `encoder_ratio`, `backlash`, `load`, `hard_stops`, \
+         `slowdown`, `in_position_ms`, `mpg_from`, `mpg_hz`",
     );
     check("devices = 1\n", "bench.toml:1: devices: unknown field `devices`, expected `device`");
     check("", "bench.toml:1: bench file: missing field `device`");
@@ -176,6 +183,23 @@ fn machines_that_cannot_be() {
     let stops =
         "bench.toml:4: device.axis.0.hard_stops: 0, where the axis starts, must lie between the stops";
     check_axis("hard_stops = [1, 5]\n", stops);
+    check_axis("slowdown = [1, 0]\n", "bench.toml:4: device.axis.0.slowdown: 1 must not lie above 0");
+    let forms = "expected one zone as `[0, 5]` or two as `[[0, 5], [10, 15]]`";
+    check_axis("slowdown = 3\n", &format!("bench.toml:4: device.axis.0.slowdown: {forms}"));
+    let gap = "bench.toml:4: device.axis.0.slowdown: the second zone must begin above 5, with a gap";
+    check_axis("slowdown = [[0, 5], [6, 9]]\n", gap);
+    let far = "9000000000000 is outside -1099511627776 to 1099511627776 pulses";
+    check_axis(
+        "slowdown = [[0, 5], [10, 9000000000000]]\n",
+        &format!("bench.toml:4: device.axis.0.slowdown: {far}"),
+    );
+    let late = "bench.toml:4: device.axis.0.in_position_ms: 0 is outside 1 to 60000 ms";
+    check_axis("in_position_ms = 0\n", late);
+    let itself = "bench.toml:4: device.axis.0.mpg_from: an axis does not follow itself";
+    check_axis("mpg_from = \"0\"\n", itself);
+    check_axis("mpg_from = \"X\"\n", "bench.toml:4: device.axis.0.mpg_from: unknown axis `X`, known: 0");
+    let wheel = "bench.toml:4: device.axis.0.mpg_hz: 0 is outside 1 to 1000000 counts a second";
+    check_axis("mpg_hz = 0\n", wheel);
 }
 
 #[test]
@@ -223,6 +247,15 @@ fn a_device_is_set_only_what_it_has() {
     };
     check("supply = 24", "bench.toml:3: device.supply: pmx-2ed has no pin that measures this");
     check("temperature = 24", "bench.toml:3: device.temperature: pmx-2ed has no pin that measures this");
+    for (entry, key, input) in [
+        ("slowdown = [0, 1]", "slowdown", "slowdown"),
+        ("in_position_ms = 5", "in_position_ms", "in-position"),
+        ("mpg_from = \"X\"", "mpg_from", "MPG"),
+        ("mpg_hz = 5", "mpg_hz", "MPG"),
+    ] {
+        let problem = format!("the device has no {input} input for this axis");
+        check(&format!("[device.axis.Y]\n{entry}"), &format!("bench.toml:4: device.axis.Y.{key}: {problem}"));
+    }
     check("[device.axis.0]", "bench.toml:3: device.axis.0: unknown axis `0`, pmx-2ed has: X, Y");
     let both = "[device.axis.X]\nhome = [5, 6]\n[device.axis.Y]\nbacklash = 2\n";
     let bench = Bench::parse(&format!("[[device]]\nmodel = \"pmx-2ed\"\n{both}"), "bench.toml").unwrap();

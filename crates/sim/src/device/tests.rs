@@ -4,7 +4,10 @@ use super::*;
 use crate::{
     config::AxisConfig,
     record::Recorder,
-    testing::{CLOCK_HZ, HOME, INDEX, INTERVAL, MODELS, Order, STOP_L, STOP_R, SUPPLY, report},
+    testing::{
+        CLOCK_HZ, ENCODER, HOME, IN_POSITION, INDEX, INTERVAL, LEVEL, MODELS, Order, PORT, PULSER, SLOWDOWN,
+        STOP_L, STOP_R, SUPPLY, report,
+    },
 };
 use devices::Drive;
 use motion::Train;
@@ -234,13 +237,158 @@ fn pins_take_what_fits_them() {
     check("SUPPLY", PinValue::Number(1e12), Err("`SUPPLY` cannot have this value"));
     check("SUPPLY", PinValue::Number(f64::NAN), Err("`SUPPLY` cannot have this value"));
     check("OUT", PinValue::Level(true), Err("`OUT` is an output, only the controller drives it"));
-    let known = "the device has: STOP_L, STOP_R, HOME, INDEX, SUPPLY, OUT, TEMPERATURE";
+    let known = "the device has: STOP_L, STOP_R, HOME, INDEX, SUPPLY, OUT, TEMPERATURE, \
+                 PORT, LEVEL, SLOWDOWN, IN_POSITION";
     check("DI1", PinValue::Level(true), Err(&format!("there is no pin `DI1`, {known}")));
     let reports: Vec<_> = device.drain_sent().map(|sent| report(&sent.bytes)).collect();
     assert_eq!(reports, [(STOP_L, true, 0), (SUPPLY, true, 85)]);
     assert_eq!(device.read_pin("SUPPLY"), Ok(PinValue::Number(8.5)));
     assert_eq!(device.read_pin("STOP_R"), Ok(PinValue::Level(true)));
     assert_eq!(device.read_pin("OUT"), Ok(PinValue::Level(false)));
+}
+
+/// What was reported since the last time, of these only.
+fn reports(device: &mut VirtualDevice, of: &[usize]) -> Vec<(usize, bool, i64)> {
+    let all = device.drain_sent().map(|sent| report(&sent.bytes));
+    all.filter(|(what, ..)| of.contains(what)).collect()
+}
+
+#[test]
+fn a_port_is_an_input_until_it_is_driven() {
+    let mut device = device(small());
+    let log = Log::default();
+    device.add_recorder(Box::new(log.clone()));
+    let (on, off) = (PinValue::Level(true), PinValue::Level(false));
+    let level = |device: &VirtualDevice| device.read_pin("PORT").unwrap();
+    device.drive_pin("PORT", on).unwrap();
+    assert_eq!(reports(&mut device, &[PORT]), [(PORT, true, 0)]);
+    // The controller wins, and nobody tells it of what it does itself.
+    order(&mut device, Order::Port(Some(false)));
+    assert_eq!((level(&device), reports(&mut device, &[PORT])), (off, vec![]));
+    let driven = "`PORT` is an output now, the controller drives it";
+    assert_eq!(device.drive_pin("PORT", on).unwrap_err().to_string(), driven);
+    order(&mut device, Order::Port(None));
+    assert_eq!((level(&device), reports(&mut device, &[PORT])), (on, vec![]));
+    // A hand that lets go while the port is an output is seen when it is an input again.
+    order(&mut device, Order::Port(Some(true)));
+    device.release_pin("PORT").unwrap();
+    assert_eq!((level(&device), reports(&mut device, &[PORT])), (on, vec![]));
+    order(&mut device, Order::Port(None));
+    assert_eq!((level(&device), reports(&mut device, &[PORT])), (off, vec![(PORT, false, 0)]));
+    order(&mut device, Order::Port(Some(true)));
+    device.power_cycle();
+    assert_eq!(level(&device), off);
+    let events = log.0.lock().unwrap();
+    let recorded = events.iter().filter_map(|event| match event {
+        Event::Pin(_, PORT, level) => Some(*level),
+        _ => None,
+    });
+    assert_eq!(recorded.collect::<Vec<_>>(), [0, 1, 0, 1, 0, 1, 0]);
+}
+
+#[test]
+fn an_analog_output_is_read() {
+    let mut device = device(small());
+    let log = Log::default();
+    device.add_recorder(Box::new(log.clone()));
+    assert_eq!(device.read_pin("LEVEL"), Ok(PinValue::Number(5.0)));
+    order(&mut device, Order::Level(42));
+    assert_eq!(device.read_pin("LEVEL"), Ok(PinValue::Number(42.0)));
+    let output = Err(PinError::Output("LEVEL".into()));
+    assert_eq!(device.drive_pin("LEVEL", PinValue::Number(1.0)), output);
+    assert_eq!(device.release_pin("LEVEL"), output);
+    let events = log.0.lock().unwrap();
+    assert!(events.contains(&Event::Pin(0, LEVEL, 5)) && events.contains(&Event::Pin(0, LEVEL, 42)));
+}
+
+#[test]
+fn slowdown_zones_are_switches() {
+    let zones = [Some([100, 200]), Some([300, 310])];
+    let mut device = device(AxisConfig { slowdown: zones, ..small() });
+    order(&mut device, Order::Watch(1 << SLOWDOWN));
+    let seen = |pulses: &[i64]| -> Vec<_> {
+        pulses.iter().zip([true, false].iter().cycle()).map(|(at, on)| (SLOWDOWN, *on, *at)).collect()
+    };
+    order(&mut device, Order::Move(500));
+    device.advance(500 * INTERVAL);
+    assert_eq!(reports(&mut device, &[SLOWDOWN]), seen(&[100, 201, 300, 311]));
+    order(&mut device, Order::Move(0));
+    device.advance(1000 * INTERVAL);
+    assert_eq!(reports(&mut device, &[SLOWDOWN]), seen(&[310, 299, 200, 99]));
+}
+
+#[test]
+fn a_servo_is_in_position_some_time_after_its_pulses() {
+    let mut device = device(AxisConfig { in_position_ms: Some(2), ..small() });
+    assert_eq!(device.read_pin("IN_POSITION"), Ok(PinValue::Level(true)));
+    order(&mut device, Order::Watch(1 << IN_POSITION));
+    let mut go = |target: i64| {
+        order(&mut device, Order::Move(target));
+        device.advance(device.now() + 10_000);
+        let seen = device.drain_sent().map(|sent| (sent.at, report(&sent.bytes)));
+        seen.filter(|(_, seen)| seen.0 == IN_POSITION).collect::<Vec<_>>()
+    };
+    assert_eq!(go(5), [(100, (IN_POSITION, false, 1)), (2500, (IN_POSITION, true, 5))]);
+    assert_eq!(go(4), [(10_100, (IN_POSITION, false, 4)), (12_100, (IN_POSITION, true, 4))]);
+    // Without a servo driver the input is off.
+    assert_eq!(super::tests::device(small()).read_pin("IN_POSITION"), Ok(PinValue::Level(false)));
+}
+
+#[test]
+fn encoder_counts_are_told_at_their_pulse() {
+    let check = |axis: AxisConfig, window: (i32, i32), target: i64, expected: &[(bool, i64)]| {
+        let mut device = device(axis);
+        order(&mut device, Order::Watch(0));
+        order(&mut device, Order::Encoder(window.0, window.1));
+        order(&mut device, Order::Move(target));
+        device.advance(5000 * INTERVAL);
+        let seen = reports(&mut device, &[ENCODER]);
+        assert_eq!(seen.iter().map(|seen| (seen.1, seen.2)).collect::<Vec<_>>(), expected, "{window:?}");
+    };
+    // The next window goes from 20 below to 20 above.
+    check(small(), (-10, 10), 55, &[(true, 10), (true, 30), (true, 50)]);
+    check(small(), (-10, 10), -35, &[(false, -10), (false, -30)]);
+    // 4 counts at a time, the other way, and after the play.
+    let ratio = |encoder_ratio| AxisConfig { encoder_ratio, ..small() };
+    check(ratio(4.0), (-10, 10), 9, &[(true, 3), (true, 8)]);
+    check(ratio(-1.0), (-10, 10), 11, &[(false, 10)]);
+    check(ratio(0.1), (-10, 2), 30, &[(true, 15)]);
+    let play = AxisConfig { backlash: 7, ..small() };
+    check(play, (-10, 10), -20, &[(false, -17)]);
+}
+
+#[test]
+fn an_axis_follows_an_encoder_count_by_count() {
+    let mut device = device(AxisConfig { mpg_from: Some(0), encoder_ratio: 2.5, ..small() });
+    order(&mut device, Order::Watch(0));
+    let go = |device: &mut VirtualDevice, target: i64| {
+        order(device, Order::Move(target));
+        device.advance(device.now() + 1000 * INTERVAL);
+        let seen = reports(device, &[PULSER]);
+        seen.iter().map(|(_, up, at)| (*up, *at)).collect::<Vec<_>>()
+    };
+    // Counts before the controller listens are none.
+    assert_eq!(go(&mut device, 3), []);
+    order(&mut device, Order::Follow(true));
+    // From 8 counts to 10, then to 8 and 5.
+    assert_eq!(go(&mut device, 4), [(true, 4); 2]);
+    assert_eq!(go(&mut device, 2), [(false, 3), (false, 3), (false, 2), (false, 2), (false, 2)]);
+    order(&mut device, Order::Follow(false));
+    assert_eq!(go(&mut device, 9), []);
+}
+
+#[test]
+fn a_hand_wheel_gives_count_after_count() {
+    let mut device = device(AxisConfig { mpg_hz: 3000, ..small() });
+    device.pulser("0", 3).unwrap();
+    device.pulser("0", -1).unwrap();
+    device.advance(2000);
+    let seen: Vec<_> = device.drain_sent().map(|sent| (sent.at, report(&sent.bytes).1)).collect();
+    assert_eq!(seen, [(334, true), (667, true), (1000, true), (1334, false)]);
+    assert_eq!(device.pulser("X", 1).unwrap_err().to_string(), "there is no axis `X`, the device has: 0");
+    assert_eq!(device.pulser("0", i64::MIN), Err(AxisError::Range));
+    let mut other = VirtualDevice::new(&DeviceConfig::new(devices::model("pmx-2ed").unwrap()), 1);
+    assert_eq!(other.pulser("Y", 1).unwrap_err().to_string(), "axis `Y` has no MPG input");
 }
 
 #[test]
@@ -361,7 +509,7 @@ enum Call {
     Load(f64),
     Push(i64),
     Lose(u64),
-    Watch(u8),
+    Watch(u16),
     Pin(&'static str, bool),
     Release(&'static str),
     PowerCycle,
@@ -376,7 +524,7 @@ fn call() -> impl Strategy<Value = Call> {
         1 => (0.0..1.2).prop_map(Call::Load),
         1 => (-500_i64..500).prop_map(Call::Push),
         1 => (0_u64..300).prop_map(Call::Lose),
-        1 => any::<u8>().prop_map(Call::Watch),
+        1 => any::<u16>().prop_map(Call::Watch),
         1 => (digital(), any::<bool>()).prop_map(|(pin, on)| Call::Pin(pin, on)),
         1 => digital().prop_map(Call::Release),
         1 => Just(Call::PowerCycle),

@@ -426,3 +426,27 @@ fn is_between(count: i32, (low, high): (i32, i32)) -> bool {
     let (beyond, whole) = (count.wrapping_sub(low) as u32, high.wrapping_sub(low) as u32);
     beyond != 0 && (beyond < whole || whole == 0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_between;
+
+    #[test]
+    fn counts_lie_on_a_circle() {
+        let (low, high) = (i32::MIN, i32::MAX);
+        for (count, window, expected) in [
+            (5, (0, 10), true),
+            (0, (0, 10), false),
+            (10, (0, 10), false),
+            (-1, (0, 10), false),
+            (low, (high, low + 1), true),
+            (high, (high, low + 1), false),
+            (0, (high - 5, low + 5), false),
+            (6, (5, 5), true),
+            (4, (5, 5), true),
+            (5, (5, 5), false),
+        ] {
+            assert_eq!(is_between(count, window), expected, "{count} in {window:?}");
+        }
+    }
+}
