@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{PATIENCE, TOKEN, call, device, eventually, raw, serve_http};
+use common::{PATIENCE, TOKEN, call, device, eventually, performax, raw, serve_http};
 use serde_json::{Value, json};
 use std::{
     net::TcpStream,
@@ -58,7 +58,23 @@ fn pins_loads_and_power() {
     check("DELETE", "pins/MV", "", 204, none.clone());
     check("GET", "pins/MV", "", 200, json!(7.0));
 
-    let unknown = "there is no pin `LID`, the device has: IN, OUT, MV";
+    // A port is an output as long as the controller drives it.
+    check("PUT", "pins/IO", "true", 204, none.clone());
+    check("GET", "pins/IO", "", 200, json!(true));
+    check("PUT", "pins/IO", "false", 204, none.clone());
+    check("GET", "pins/PWM", "", 200, json!(1.0));
+    check("PUT", "pins/IN", "true", 204, none.clone());
+    check("GET", "pins/IO", "", 200, json!(true));
+    check("PUT", "pins/IO", "false", 422, error("`IO` is an output now, the controller drives it"));
+    check("DELETE", "pins/IO", "", 204, none.clone());
+    check("GET", "pins/PWM", "", 200, json!(75.0));
+    check("PUT", "pins/PWM", "5", 422, error("`PWM` is an output, only the controller drives it"));
+    check("DELETE", "pins/PWM", "", 422, error("`PWM` is an output, only the controller drives it"));
+    check("DELETE", "pins/IN", "", 204, none.clone());
+    check("GET", "pins/IO", "", 200, json!(false));
+    check("PUT", "pins/IO", "1", 422, error("`IO` is digital: true or false"));
+
+    let unknown = "there is no pin `LID`, the device has: IN, OUT, MV, IO, PWM";
     check("GET", "pins/LID", "", 404, error(unknown));
     check("PUT", "pins/LID", "true", 404, error(unknown));
     check("DELETE", "pins/LID", "", 404, error(unknown));
@@ -90,6 +106,29 @@ fn pins_loads_and_power() {
     assert_eq!((status, body), (404, error("unknown device `b`, known: a")));
     let (status, _) = call(address, "GET", "/api/devices/%FF", "");
     assert_eq!(status, 400);
+    server.stop().unwrap();
+}
+
+#[test]
+fn hand_wheels() {
+    let (server, address) = serve_http(vec![device("a", &[]), performax("b", &[])]);
+    let check = |path: &str, body: &str, status: u16, answer: Value| {
+        let got = call(address, "POST", &format!("/api/devices/{path}"), body);
+        assert_eq!(got, (status, answer), "{path} {body}");
+    };
+    let error = |text: &str| json!({ "error": text });
+    let encoder = || call(address, "GET", "/api/devices/a", "").1["axes"]["A"]["encoder"].clone();
+    check("a/mpg/A", "104", 204, Value::Null);
+    check("a/mpg/A", "-90.0", 204, Value::Null);
+    eventually("the counts have come", || encoder() == 10);
+    check("a/mpg/B", "1", 404, error("there is no axis `B`, the device has: A"));
+    check("b/mpg/X", "1", 404, error("axis `X` has no MPG input"));
+    check("a/mpg/A", "1e300", 422, error("the value is out of range"));
+    check("a/mpg/A", "0.5", 422, error("`0.5` is not a number of counts"));
+    check("a/mpg/A", "1000000000000", 422, error("the value is out of range"));
+    check("a/mpg/A", "true", 422, error("`true` is not a number of counts"));
+    let (status, _) = call(address, "GET", "/api/devices/a/mpg/A", "");
+    assert_eq!(status, 405);
     server.stop().unwrap();
 }
 

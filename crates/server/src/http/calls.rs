@@ -110,8 +110,8 @@ pub async fn turn_pulser(
     let (name, axis) = at(place)?;
     let unit = site.unit(&name)?;
     let value = json(body)?;
-    let counts =
-        value.as_i64().ok_or_else(|| unprocessable(format!("`{value}` is not a number of counts")))?;
+    let counts = value.as_f64().filter(|counts| counts.fract() == 0.0);
+    let counts = counts.ok_or_else(|| unprocessable(format!("`{value}` is not a number of counts")))? as i64;
     unit.with(|device| device.pulser(&axis, counts))?;
     Ok(StatusCode::NO_CONTENT)
 }

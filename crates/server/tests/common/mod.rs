@@ -38,20 +38,24 @@ static PINS: &[Pin] = &[
     Pin { name: "IN", kind: PinKind::Input, wiring: Wiring::Free, unit: "", scale: 1, rest: 0 },
     Pin { name: "OUT", kind: PinKind::Output, wiring: Wiring::Free, unit: "", scale: 1, rest: 0 },
     Pin { name: "MV", kind: PinKind::Analog, wiring: Wiring::Free, unit: "mV", scale: 1, rest: 7 },
+    Pin { name: "IO", kind: PinKind::Port, wiring: Wiring::Free, unit: "", scale: 1, rest: 0 },
+    Pin { name: "PWM", kind: PinKind::AnalogOutput, wiring: Wiring::Free, unit: "%", scale: 1, rest: 1 },
 ];
 
 /// Says back every byte through the port it came by, except for these:
 /// `!` makes it send `?` by itself 20 ms later; `.` it keeps to itself; `p` it answers after a pause of
-/// 200 ms; `w` and the next byte it writes to flash; `r` it answers with the byte in flash.
+/// 200 ms; `w` and the next byte it writes to flash; `r` it answers with the byte in flash. With `IN` on it
+/// drives all its outputs, `IO` too. The encoder of its axis counts what comes in at the pulser input.
 struct Parrot {
     flash: Box<dyn Flash + Send>,
     now: u64,
     due: Option<(u64, Port)>,
     write: bool,
+    turned: i32,
 }
 
 fn parrot(flash: Box<dyn Flash + Send>, _seed: u64) -> Box<dyn Controller + Send> {
-    Box::new(Parrot { flash, now: 0, due: None, write: false })
+    Box::new(Parrot { flash, now: 0, due: None, write: false, turned: -4 })
 }
 
 impl Controller for Parrot {
@@ -108,8 +112,21 @@ impl Controller for Parrot {
     }
 
     fn input(&mut self, pin: usize, on: bool, board: &mut dyn Board) {
-        assert_eq!(pin, 0);
+        match (pin, on) {
+            (0, true) => board.output(3, true),
+            (0, false) => board.release(3),
+            (pin, _) => return assert_eq!(pin, 3),
+        }
         board.output(1, on);
+        board.output_analog(4, if on { 75 } else { 1 });
+    }
+
+    fn has_pulser(&self, _axis: usize) -> bool {
+        true
+    }
+
+    fn pulser(&mut self, _axis: usize, counts: i32, _board: &mut dyn Board) {
+        self.turned += counts;
     }
 
     fn analog_changed(&mut self, _pin: usize, _board: &mut dyn Board) {}
@@ -122,7 +139,7 @@ impl Controller for Parrot {
 
     fn axis(&self, _axis: usize, board: &mut dyn Board) -> AxisState {
         let load = i32::from(board.load(0));
-        AxisState { position: load, encoder: -4, speed_mpps: 1500, target: 12, status: 5, steps: 9 }
+        AxisState { position: load, encoder: self.turned, speed_mpps: 1500, target: 12, status: 5, steps: 9 }
     }
 
     fn program(&self, index: usize) -> Option<ProgramState> {
