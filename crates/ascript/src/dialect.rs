@@ -36,6 +36,8 @@ pub struct Dialect {
     pub ports: u8,
     /// Analog inputs.
     pub analog_inputs: u8,
+    /// PWM outputs.
+    pub pwm_outputs: u8,
     /// Homing modes that `HOME` chooses from, numbered from 0; none if it has no choice.
     pub homing_modes: u8,
 }
@@ -52,6 +54,7 @@ pub static PERFORMAX_2: Dialect = Dialect {
     outputs: 8,
     ports: 0,
     analog_inputs: 2,
+    pwm_outputs: 0,
     homing_modes: 0,
 };
 
@@ -67,6 +70,7 @@ pub static COMMANDER: Dialect = Dialect {
     outputs: 4,
     ports: 32,
     analog_inputs: 2,
+    pwm_outputs: 2,
     homing_modes: 13,
 };
 

@@ -356,6 +356,17 @@ fn synchronization() {
 }
 
 #[test]
+fn latches_and_more() {
+    check_in(
+        &COMMANDER,
+        "LTX=1\nV1=LTSX\nV1=LTPY\nV1=LTEU\nMPGEZ=V2\nV1=MPGEZ\nPWM2=50\nV1=PWM1",
+        &["LTX=1", "read LTSX", "read LTPY", "read LTEU", "MPGEZ=8", "read MPGEZ", "PWM2=50", "read PWM1"],
+    );
+    let source = b"PRG 0\nPWM3=1\nEND\n";
+    assert!(ascript::compiler::compile("test.prg", source, &COMMANDER).has_errors());
+}
+
+#[test]
 fn speeds() {
     check(
         "HSPD=20000\nHSPDY=V1\nLSPD=100\nLSPDX=1\nACC=300\nACCX=V2\nDEC=1\nDECY=2\nSSPDMX=3\nSSPDX=5000",

@@ -2,7 +2,7 @@
 
 extern crate alloc;
 
-use crate::{Controller, flash::Flash, pd42, pmx2ed};
+use crate::{Controller, cmd4cr, flash::Flash, pd42, pmx2ed};
 use alloc::boxed::Box;
 
 /// The language of a controller's standalone programs.
@@ -49,6 +49,13 @@ pub static MODELS: &[Model] = &[
         hid_product: Some(pmx2ed::NAME),
         flash_bytes: pmx2ed::FLASH_BYTES,
         build: |flash, _| Box::new(pmx2ed::Pmx2ed::new(flash)),
+    },
+    Model {
+        name: "cmd-4cr",
+        title: "Nippon Pulse CMD-4CR, firmware V126BL",
+        language: Language::Ascript(&ascript::dialect::COMMANDER),
+        flash_bytes: cmd4cr::FLASH_BYTES,
+        build: |flash, _| Box::new(cmd4cr::Cmd4cr::new(flash)),
     },
 ];
 

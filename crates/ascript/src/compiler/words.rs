@@ -24,6 +24,7 @@ pub(super) const fn things(index: Index) -> &'static str {
         Index::Enable => "enable outputs",
         Index::Port => "configurable inputs and outputs",
         Index::AnalogInput => "analog inputs",
+        Index::PwmOutput => "PWM outputs",
     }
 }
 

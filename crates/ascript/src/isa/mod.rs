@@ -106,6 +106,8 @@ pub enum Index {
     Port,
     /// Analog inputs, from 1.
     AnalogInput,
+    /// PWM outputs, from 1.
+    PwmOutput,
 }
 
 impl Index {
@@ -120,6 +122,7 @@ impl Index {
             Self::Enable => (1, dialect.axis_count()),
             Self::Port => (1, dialect.ports),
             Self::AnalogInput => (1, dialect.analog_inputs),
+            Self::PwmOutput => (1, dialect.pwm_outputs),
         }
     }
 }

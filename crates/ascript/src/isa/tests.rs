@@ -114,7 +114,7 @@ fn forms() {
         LSPD[axis] MST[axis] P[axis] PRG[0-3] END PS[axis] SL[axis] SLS[axis] SR[0-3] SSPD[axis] SSPDM[axis] STOP \
         STOP[axis] STORE SUB[0-31] ENDSUB SYNCFG[axis] SYNOFF[axis] SYNON[axis] SYNPOS[axis] SYNSTAT[axis] V[0-99] \
         WAIT[axis] WHILE ENDWHILE X[position] Y[position] Z[position] U[position] X[pos]Y[pos]Z[pos]U[pos] \
-        ZMOVE[axis][+/-]";
+        ZMOVE[axis][+/-] LT[axis] LTE[axis] LTP[axis] LTS[axis] MPGE[axis] PWM[1-2]";
     let commander: Vec<&str> = commander.split_whitespace().collect();
     check(&COMMANDER, &commander);
     assert_eq!(words(Family::Commander).count(), commander.len());

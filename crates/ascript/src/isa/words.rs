@@ -3,7 +3,7 @@
 
 #[cfg(feature = "std")]
 use super::Doc;
-use super::Index::{AnalogInput, Enable, Input, Output, Port, Program, Subroutine, Variable};
+use super::Index::{AnalogInput, Enable, Input, Output, Port, Program, PwmOutput, Subroutine, Variable};
 use super::Kind::{Action, Command, Comment, Register, Structure};
 use super::Suffix::{Axis, Direction, Helix, Home, Index, None, Plane, Target, Targets};
 use super::{Access, Entry, Kind};
@@ -238,6 +238,19 @@ words! {
         "" "2.1.3.2.2" "Position, or distance, at which it acts." "SYNPOSX=V1" "synchronization";
     98 SynStat "SYNSTAT" Register, Axis, - R,
         "" "2.1.3.2.2" "Status of the synchronization output." "V1=SYNSTATX" "synchronization";
+
+    99 MpgE "MPGE" Register, Axis, - RW,
+        "" "2.1.3.1.4" "Whether an axis follows its manual pulse generator." "MPGEX=1" "latches_and_more";
+    100 Pwm "PWM" Register, Index(PwmOutput), - RW,
+        "" "2.1.3.3.3" "A PWM output in percent." "PWM1=25" "latches_and_more";
+    101 Lt "LT" Register, Axis, - W,
+        "" "2.1.3.2.1" "Whether the position latch of an axis waits for its input." "LTX=1" "latches_and_more";
+    102 Lts "LTS" Register, Axis, - R,
+        "" "2.1.3.2.1" "Status of the position latch." "WHILE LTSX=1" "latches_and_more";
+    103 Lte "LTE" Register, Axis, - R,
+        "" "2.1.3.2.1" "The encoder position that was latched." "V1=LTEX" "latches_and_more";
+    104 Ltp "LTP" Register, Axis, - R,
+        "" "2.1.3.2.1" "The pulse position that was latched." "V1=LTPX" "latches_and_more";
 }
 
 /// For each number the position of its word in the table, or [`NO_WORD`].

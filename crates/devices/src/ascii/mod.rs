@@ -4,13 +4,14 @@
 //! - [`mod@parse`]: from a line to the entry that it means, with its axis, index, targets and value.
 //! - [`cells`]: the numbers that commands remember; [`memory`]: they, programs and variables in flash.
 //! - [`station`]: what an axis was told to do; [`encoder`]: its counter; [`speeds`]: how fast it goes.
-//! - [`threads`]: the standalone programs in time.
+//! - [`ports`]: whose commands are for the device; [`threads`]: the standalone programs in time.
 
 pub mod cells;
 pub mod command;
 pub mod encoder;
 pub mod memory;
 pub mod parse;
+pub mod ports;
 pub mod speeds;
 pub mod station;
 pub mod threads;

@@ -1,10 +1,11 @@
 //! An axis as the command languages see it: what it was told to do, its encoder and its closed loop.
 
 use super::encoder::Encoder;
-use motion::closed_loop::{self, Ratio, StepNLoop};
+use super::speeds;
+use motion::closed_loop::{self, Ratio, Settings, StepNLoop};
 use motion::homing::Homing;
-use motion::joystick::Joystick;
-use motion::{Axis, Direction};
+use motion::joystick::{self, Joystick};
+use motion::{Axis, Direction, Goal, pps};
 
 /// How a motion is ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,6 +102,44 @@ impl Station {
     pub fn set_encoder(&mut self, position: i32, decoder: i32) {
         self.closed.shift(position.wrapping_sub(self.encoder.position(decoder)));
         self.encoder.set_position(position, decoder);
+    }
+
+    /// Lets StepNLoop watch an axis that moves by itself, or is `carried` along a path. Whether it has found an
+    /// error: the axis stands then, but not yet the path.
+    pub fn poll_loop(&mut self, axis: &mut Axis, decoder: i32, settings: &Settings, carried: bool) -> bool {
+        let encoder = self.encoder.position(decoder);
+        let failed = if carried {
+            self.closed.watch(axis, encoder, settings)
+        } else {
+            self.closed.poll(axis, encoder, settings).is_some_and(closed_loop::Status::is_error)
+        };
+        if failed && !matches!(self.task, Task::Rest | Task::Path { .. }) {
+            self.task = Task::Stop;
+        }
+        failed
+    }
+
+    /// Once a millisecond: the speed that the joystick asks for, in the directions (plus, minus) in which the
+    /// axis may move.
+    pub fn follow_joystick(
+        &mut self,
+        axis: &mut Axis,
+        settings: &joystick::Settings,
+        analog_mv: i32,
+        allowed: [bool; 2],
+        clock_hz: u32,
+    ) {
+        let mut speed = self.joystick.tick(settings, analog_mv, axis.position());
+        if speed != 0 && !allowed[side(Direction::of(speed.into()))] {
+            self.joystick = Joystick::new();
+            speed = 0;
+        }
+        let limits = speeds::at_once(settings.speed_pps, clock_hz);
+        let top = pps::speed(speed.unsigned_abs(), limits.scale, clock_hz);
+        // The joystick's own steps are the ramp: the axis takes each at once.
+        axis.set_limits(limits);
+        let way = if speed == 0 { axis.direction() } else { Direction::of(speed.into()) };
+        axis.set_goal(Goal::Speed(way, top));
     }
 
     /// Here is zero.

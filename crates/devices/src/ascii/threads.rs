@@ -142,7 +142,8 @@ impl<const N: usize> Threads<N> {
             Exit::Write(..) | Exit::Do(_) => timed.next_at - self.line.clocks,
             _ => timed.next_at,
         };
-        (self.clock(at), exit)
+        // A line that is asked for again takes no time of its own.
+        (self.clock(at).max(now), exit)
     }
 
     /// The register that a thread reads has this value.
@@ -153,6 +154,11 @@ impl<const N: usize> Threads<N> {
     /// What a thread's line says is done.
     pub fn done(&mut self, number: usize) {
         self.threads[number].thread.done();
+    }
+
+    /// What a thread's line says cannot be done yet: it is asked for again, a line later.
+    pub fn retry(&mut self, number: usize) {
+        self.threads[number].next_at += self.line.clocks;
     }
 
     /// A thread waits.

@@ -26,8 +26,13 @@ type Line<'a> = Parsed<'a, Id>;
 
 impl<F: Flash> Cmd4cr<F> {
     /// Does what a line says and gives the reply.
-    pub fn answer(&mut self, text: &str, board: &mut dyn Board) -> Reply {
+    /// One that is no line of text is not known.
+    pub fn answer(&mut self, text: Option<&str>, board: &mut dyn Board) -> Reply {
         let mut reply = Reply::new();
+        let Some(text) = text else {
+            say(&mut reply, format_args!("{}", Refusal::Unknown.text()));
+            return reply;
+        };
         let line = parse(COMMANDS, AXES, text).map_err(Refusal::from);
         let done = line.and_then(|line| match line.value {
             None if line.command.value == Value::None => self.act(&line, board).map(|()| false),
@@ -142,10 +147,10 @@ impl<F: Flash> Cmd4cr<F> {
             Id::Polarity => self.set_polarity(axis, value, board),
             Id::Ports | Id::Port => self.set_ports(place, value, board),
             Id::PortsOut => self.configure_ports(value, board),
-            Id::Position => self.set_position(axis, value)?,
+            Id::Position => self.set_position(axis, value, board)?,
             Id::ProgramControl => self.control_program(axis, value)?,
             Id::Pulser => self.set_pulser_position(axis, value),
-            Id::PulserEnable => self.set_pulser(axis, value != 0, board)?,
+            Id::PulserEnable => self.set_pulser(axis, value != 0)?,
             Id::RunsOnBoot => {
                 let mask = self.memory.cells.get(Id::RunOnBoot) & !(1 << axis);
                 self.memory.cells.set(Id::RunOnBoot, mask | value << axis);
@@ -180,7 +185,8 @@ impl<F: Flash> Cmd4cr<F> {
             Id::OutputsPolarity | Id::PortsPolarity => self.put_out(board),
             Id::Duty => self.put_duty(axis, board),
             Id::Slowdown => self.watch_slowdown(axis, board),
-            Id::Sync | Id::SyncPosition | Id::SyncMin | Id::SyncMax => self.sync_changed(axis, board),
+            Id::Sync | Id::SyncPosition => self.sync_changed(axis, board),
+            Id::SyncMin | Id::SyncMax => self.sync_window_changed(axis),
             _ => {}
         }
     }
@@ -209,7 +215,7 @@ impl<F: Flash> Cmd4cr<F> {
             Id::SyncOn => self.sync_on(named?, false, board),
             Id::SyncOff => self.sync_off(named?, board),
             Id::SyncWindowOn => self.sync_on(named?, true, board),
-            Id::SyncWindowOff => self.sync_window_off(named?, board),
+            Id::SyncWindowOff => self.sync_window_off(named?),
             Id::Subroutine => self.run_subroutine(line.index.ok_or(Refusal::Index)?)?,
             Id::Store => self.store(),
             _ => {

@@ -1,11 +1,417 @@
 //! Nippon Pulse CMD-4CR (Commander core) with firmware V126BL: four axes, and programs in A-SCRIPT.
 //!
-//! - [`table`]: the commands; [`refusal`]: why one is not done.
+//! - [`table`]: the commands; [`refusal`]: why one is not done; `commands`: what each does.
 //! - [`memory`]: what is remembered, in RAM and flash.
-//! - [`pins`], [`polarity`]: inputs and outputs, and the bits that invert them.
+//! - `motion`: moves, jogs and stops; `homing`; `path`: interpolated moves; `buffer`: those that follow each
+//!   other; `start`: motions that wait for the external start.
+//! - `safety`: what stops axes or holds them back; `erc`: the error clear output; `feedback`: encoders and
+//!   StepNLoop; `joystick`, `pulser`: axes that follow something.
+//! - `capture`: latches and synchronisation outputs.
+//! - `io`, `pins`, [`polarity`]: inputs and outputs, and the bits that invert them.
+//! - `wire`: bytes in, replies out; `program`: the standalone programs.
+//!
+//! This file is the clock: it takes the controller from one thing that happens to the next.
 
+mod buffer;
+mod capture;
+mod commands;
+mod erc;
+mod feedback;
+mod homing;
+mod io;
+mod joystick;
 pub mod memory;
-pub mod pins;
+mod motion;
+mod path;
+mod pins;
 pub mod polarity;
+mod program;
+mod pulser;
 pub mod refusal;
+mod safety;
+mod start;
 pub mod table;
+mod wire;
+
+use crate::ascii::encoder::Encoder;
+use crate::ascii::ports::Ports;
+use crate::ascii::speeds::Family;
+use crate::ascii::station::{Station, Task};
+use crate::ascii::threads::{LineTime, Threads};
+use crate::board::{Board, Drive, Port};
+use crate::controller::{AxisState, Controller, Pin, PinKind, ProgramState};
+use crate::flash::Flash;
+use ::motion::{Axis, Direction, Goal, Ticks, pps};
+use buffer::Buffer;
+use capture::Capture;
+use erc::ErrorClear;
+use memory::Memory;
+use path::Ride;
+use pins::number as pin;
+use program::THREADS;
+use pulser::Pulser;
+use safety::Guard;
+use start::Waiting;
+use table::AXIS_COUNT;
+pub use table::MAX_SPEED_PPS;
+
+/// The reference clock of the PCL6045BL.
+const HZ: u32 = 19_660_800;
+
+/// How long a compiled line takes, unless set otherwise.
+const LINE_MICROS: u32 = 100;
+
+/// Clock and speeds.
+const FAMILY: Family = Family { clock_hz: HZ, windows: &pps::COMMANDER };
+
+/// Bytes of flash that the controller needs: the program of 1,800 lines and all settings, three times.
+pub const FLASH_BYTES: u32 = 64 * crate::flash::PAGE_BYTES;
+
+/// Clocks of some milliseconds, up to a whole one.
+const fn milliseconds(ms: Ticks) -> Ticks {
+    (ms * HZ as Ticks).div_ceil(1000)
+}
+
+/// The controller.
+pub struct Cmd4cr<F: Flash> {
+    now: Ticks,
+    memory: Memory<F>,
+    axes: [Axis; AXIS_COUNT],
+    stations: [Station; AXIS_COUNT],
+    guards: [Guard; AXIS_COUNT],
+    clears: [ErrorClear; AXIS_COUNT],
+    captures: [Capture; AXIS_COUNT],
+    pulsers: [Pulser; AXIS_COUNT],
+    /// The interpolated moves that are on.
+    rides: heapless::Vec<Ride, AXIS_COUNT>,
+    buffer: Buffer,
+    waiting: Waiting,
+    /// Targets count from the position.
+    incremental: bool,
+    io: io::Io,
+    ports: Ports,
+    programs: Threads<THREADS>,
+    /// The next tick of the millisecond clock, while something needs it.
+    tick_at: Option<Ticks>,
+    /// Outputs and programs have been set going.
+    started: bool,
+    /// Flash lost its supply: the controller is off.
+    dead: bool,
+}
+
+impl<F: Flash> Cmd4cr<F> {
+    /// A controller that has just been switched on, at clock 0.
+    pub fn new(flash: F) -> Self {
+        let memory = Memory::open(flash, &memory::LAYOUT);
+        let stations = core::array::from_fn(|axis| {
+            let word = memory.cells.at(table::Id::Polarity, axis);
+            let (shift, reversed) = polarity::encoder(word);
+            let mut encoder = Encoder::new(0, shift);
+            encoder.set_counting(shift, reversed, 0);
+            Station::new(encoder)
+        });
+        let ports = Ports::new(memory.number);
+        Self {
+            now: 0,
+            memory,
+            axes: core::array::from_fn(|_| motion::resting()),
+            stations,
+            guards: [Guard::new(); AXIS_COUNT],
+            clears: [ErrorClear::default(); AXIS_COUNT],
+            captures: core::array::from_fn(|_| Capture::new()),
+            pulsers: core::array::from_fn(|_| Pulser::new()),
+            rides: heapless::Vec::new(),
+            buffer: Buffer::new(),
+            waiting: Waiting::new(),
+            incremental: false,
+            io: io::Io::default(),
+            ports,
+            programs: Threads::new(LineTime::of_micros(LINE_MICROS, HZ)),
+            tick_at: None,
+            started: false,
+            dead: false,
+        }
+    }
+
+    /// Sets how many clocks a compiled line takes.
+    ///
+    /// # Panics
+    /// If it is 0: a program would never let time pass.
+    pub fn set_line_clocks(&mut self, clocks: Ticks) {
+        self.programs.set_line_clocks(clocks);
+    }
+
+    /// What power-up does once there is a board.
+    fn start(&mut self, board: &mut dyn Board) {
+        if !core::mem::replace(&mut self.started, true) {
+            self.boot_outputs(board);
+            self.boot_loops(board);
+            self.boot_programs();
+        }
+    }
+
+    /// Lets the axes run to a clock and sees to what has changed there.
+    fn step_to(&mut self, clock: Ticks, board: &mut dyn Board) {
+        board.clock(clock);
+        for (number, axis) in self.axes.iter_mut().enumerate() {
+            axis.advance(clock, |train| board.pulses(number, train));
+        }
+        for ride in &mut self.rides {
+            ride.path.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
+        }
+        self.now = clock;
+        self.react(board);
+        if self.tick_at.is_some_and(|due| due <= clock) {
+            self.tick_at = Some(next_tick(clock));
+            self.tick(board);
+            self.react(board);
+        }
+    }
+
+    /// The millisecond clock, for what is watched and not told.
+    fn tick(&mut self, board: &mut dyn Board) {
+        for axis in 0..AXIS_COUNT {
+            self.poll_loop(axis, board);
+            self.follow_joystick(axis, board);
+        }
+    }
+
+    /// Whatever follows from the present state: called after everything that happens.
+    fn react(&mut self, board: &mut dyn Board) {
+        if self.dead {
+            return;
+        }
+        for axis in 0..AXIS_COUNT {
+            if !self.axes[axis].is_moving() {
+                self.run_homing(axis, board);
+            }
+        }
+        // What ends where a limit comes on has not run into it.
+        self.settle();
+        self.watch_emergency();
+        self.watch_alarms();
+        self.watch_limits();
+        self.settle();
+        self.watch_positions();
+        self.give_clears(board);
+        self.compare(board);
+        if self.run_buffer(board).is_err()
+            && let Some(number) = self.programs.responsible(None)
+        {
+            self.fail(number);
+        }
+        self.end_waits();
+        let ticking =
+            (0..AXIS_COUNT).any(|axis| self.stations[axis].closed.is_on() || self.joystick_on(axis));
+        match (ticking, self.tick_at) {
+            (true, None) => self.tick_at = Some(next_tick(self.now)),
+            (false, Some(_)) => self.tick_at = None,
+            _ => {}
+        }
+    }
+
+    /// The next clock at which something is due, programs left out.
+    fn due(&self) -> Ticks {
+        let rides = self.rides.iter().map(|ride| ride.path.wake(&self.axes));
+        let clears = self.clears.iter().map(ErrorClear::due);
+        let captures = self.captures.iter().map(Capture::due);
+        let axes = self.axes.iter().map(Axis::wake);
+        let deadlines = [self.tick_at, self.programs.delay_due()].into_iter();
+        let all = deadlines.chain(rides).chain(clears).chain(captures).chain(axes);
+        all.flatten().min().unwrap_or(Ticks::MAX).max(self.now)
+    }
+
+    /// A store failed because the supply is gone: nothing happens any more.
+    fn die(&mut self) {
+        self.dead = true;
+        self.axes.iter_mut().for_each(Axis::halt);
+        self.rides.clear();
+        self.tick_at = None;
+    }
+
+    /// What the windows of the axes depend on: driver stages, and the inputs that matter.
+    fn outside(&self) -> ([Option<Drive>; AXIS_COUNT], [[bool; 3]; AXIS_COUNT]) {
+        let inputs = core::array::from_fn(|axis| {
+            [pin::HOME, pin::INDEX, pin::SLOWDOWN]
+                .map(|input| self.watches_axis_pin(axis * pin::AXIS + input))
+        });
+        (self.io.drives(), inputs)
+    }
+
+    /// Whether an axis has arrived at an edge of its window since its odometer was this.
+    fn at_window(&self, before: [i64; AXIS_COUNT]) -> bool {
+        self.axes.iter().zip(before).any(|(axis, before)| axis.odometer() != before && axis.at_window())
+    }
+}
+
+/// The next clock of the millisecond clock after this one.
+const fn next_tick(now: Ticks) -> Ticks {
+    milliseconds(now * 1000 / HZ as Ticks + 1)
+}
+
+impl<F: Flash> Controller for Cmd4cr<F> {
+    fn clock_hz(&self) -> u32 {
+        HZ
+    }
+
+    fn axes(&self) -> &'static [&'static str] {
+        &["X", "Y", "Z", "U"]
+    }
+
+    fn pins(&self) -> &'static [Pin] {
+        pins::PINS
+    }
+
+    fn watches(&self, number: usize) -> bool {
+        match pins::PINS.get(number).map(|pin| pin.kind) {
+            Some(PinKind::Input | PinKind::Index(_)) if number < AXIS_COUNT * pin::AXIS => {
+                self.watches_axis_pin(number)
+            }
+            Some(PinKind::Input | PinKind::Port) => true,
+            // Analog inputs are read when they are asked for.
+            _ => false,
+        }
+    }
+
+    fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
+        assert!(now >= self.now, "time moves forward");
+        if self.dead {
+            self.now = now;
+            return now;
+        }
+        self.start(board);
+        let outside = self.outside();
+        loop {
+            let horizon = self.due().min(now);
+            let before = self.axes.each_ref().map(Axis::odometer);
+            match self.programs.next(self.now).filter(|&(clock, _)| clock <= horizon) {
+                Some((clock, thread)) => {
+                    self.step_to(clock, board);
+                    if !self.at_window(before) {
+                        self.run_program(thread, horizon, board);
+                    }
+                }
+                None => self.step_to(horizon, board),
+            }
+            if self.dead {
+                return self.advance(now, board);
+            }
+            if self.at_window(before) || self.outside() != outside {
+                return self.now;
+            }
+            let idle = self.programs.next(self.now).is_none_or(|(clock, _)| clock > now);
+            if self.now == now && idle && self.due() > now {
+                return now;
+            }
+        }
+    }
+
+    fn wake(&self) -> Ticks {
+        if self.dead {
+            return Ticks::MAX;
+        }
+        if !self.started {
+            return self.now;
+        }
+        // A program has something to do all the time: once a millisecond is often enough to look.
+        let program =
+            self.programs.next(self.now).map_or(Ticks::MAX, |(at, _)| at.max(self.now + milliseconds(1)));
+        self.due().min(program)
+    }
+
+    fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
+        self.start(board);
+        for &byte in if port == Port::Can { &[] } else { bytes } {
+            self.take_byte(port, byte, board);
+        }
+        self.react(board);
+    }
+
+    fn hang_up(&mut self, port: Port) {
+        self.ports.hang_up(port);
+    }
+
+    fn input(&mut self, number: usize, on: bool, board: &mut dyn Board) {
+        if self.dead {
+            return;
+        }
+        self.start(board);
+        let before = (self.inputs(None), self.io.start());
+        self.io.take_level(number, on);
+        if number < AXIS_COUNT * pin::AXIS {
+            let axis = number / pin::AXIS;
+            if number % pin::AXIS == pin::SLOWDOWN {
+                self.watch_slowdown(axis, board);
+            }
+            self.run_homing(axis, board);
+        }
+        let come_on = self.inputs(None) & !before.0;
+        (0..AXIS_COUNT).filter(|axis| come_on >> axis & 1 != 0).for_each(|axis| self.latch(axis, board));
+        if self.io.start() && !before.1 {
+            self.external_start(board);
+        }
+        self.react(board);
+    }
+
+    fn analog_changed(&mut self, _: usize, _: &mut dyn Board) {}
+
+    fn has_pulser(&self, _: usize) -> bool {
+        true
+    }
+
+    fn watches_pulser(&self, axis: usize) -> bool {
+        self.pulser_on(axis)
+    }
+
+    fn pulser(&mut self, axis: usize, counts: i32, board: &mut dyn Board) {
+        if self.dead {
+            return;
+        }
+        self.start(board);
+        self.take_pulses(axis, counts);
+        self.react(board);
+    }
+
+    fn encoder_window(&self, channel: usize) -> Option<(i32, i32)> {
+        self.captured_window(channel)
+    }
+
+    fn encoder_moved(&mut self, _: usize, board: &mut dyn Board) {
+        if !self.dead {
+            self.react(board);
+        }
+    }
+
+    fn set_window(&mut self, axis: usize, low: i64, high: i64) {
+        self.axes[axis].set_window(low, high);
+    }
+
+    fn odometer(&self, axis: usize) -> i64 {
+        self.axes[axis].odometer()
+    }
+
+    fn axis(&self, axis: usize, board: &mut dyn Board) -> AxisState {
+        let unit = &self.axes[axis];
+        let (speed, limits, direction) = match self.ride_of(axis) {
+            Some(ride) => (ride.path.speed(axis), ride.path.limits(), ride.path.direction(axis)),
+            None => (unit.speed(), unit.limits(), Some(unit.direction())),
+        };
+        let speed = limits.scale.millipulses_per_second(speed, HZ) as i64;
+        let target = match (&self.stations[axis].task, unit.goal()) {
+            (&Task::Path { target }, _) | (_, Goal::Position(target)) => target,
+            _ => unit.position(),
+        };
+        AxisState {
+            position: self.position(axis),
+            encoder: self.encoder(axis, board),
+            speed_mpps: speed * direction.map_or(0, Direction::sign),
+            target,
+            status: self.status(axis, board) as u32,
+            steps: unit.steps(),
+        }
+    }
+
+    fn program(&self, index: usize) -> Option<ProgramState> {
+        self.programs.view(index)
+    }
+}

@@ -6,7 +6,7 @@ use super::table::{AXIS_COUNT, Id};
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;
-use ::motion::closed_loop::{Settings, Status};
+use ::motion::closed_loop::Settings;
 
 impl<F: Flash> Pmx2ed<F> {
     /// The pulse counter, or the target position now with StepNLoop.
@@ -105,26 +105,15 @@ impl<F: Flash> Pmx2ed<F> {
             range: get(Id::LoopRange),
             attempts: get(Id::LoopAttempts),
         };
-        let encoder = self.encoder(axis, board);
         let carried = self.line_of(axis).is_some();
-        let resting = matches!(self.stations[axis].task, Task::Rest) && !self.axes[axis].is_moving();
-        if resting && !carried {
+        if matches!(self.stations[axis].task, Task::Rest) && !self.axes[axis].is_moving() && !carried {
             // A correction goes with the speeds of the axis.
             let limits = self.limits(axis);
             self.axes[axis].set_limits(limits);
         }
-        let station = &mut self.stations[axis];
-        let failed = if carried {
-            station.closed.watch(&self.axes[axis], encoder, &settings)
-        } else {
-            let status = station.closed.poll(&mut self.axes[axis], encoder, &settings);
-            status.is_some_and(Status::is_error)
-        };
-        if !failed {
+        let decoder = board.encoder(axis);
+        if !self.stations[axis].poll_loop(&mut self.axes[axis], decoder, &settings, carried) {
             return;
-        }
-        if !matches!(station.task, Task::Rest | Task::Path { .. }) {
-            station.task = Task::Stop;
         }
         self.stop_line(axis, Halt::AtOnce);
         self.settle();

@@ -3,12 +3,11 @@
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
 use super::{Pmx2ed, pins};
-use crate::ascii::speeds;
 use crate::ascii::station::Task;
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::joystick::{Joystick, Settings, SoftLimits};
-use ::motion::{Direction, Goal, pps};
+use ::motion::pps;
 
 // Places of the two axes' values among JV1 to JV6.
 pub const SPEEDS: usize = 0;
@@ -67,22 +66,12 @@ impl<F: Flash> Pmx2ed<F> {
                 positive_outer: limit(3),
             },
         };
-        let (analog, position) = (self.analog(axis, board), self.position(axis));
-        let [plus, minus] = self.limits_on(axis);
-        let barred = self.stations[axis].errors.contains(&true);
-        let mut speed = self.stations[axis].joystick.tick(&settings, analog, position);
+        let analog = self.analog(axis, board);
         // A limit that is on, or an error that was not cleared, is stronger.
-        if barred || speed > 0 && plus || speed < 0 && minus {
-            self.stations[axis].joystick = Joystick::new();
-            speed = 0;
-        }
-        let limits = speeds::at_once(settings.speed_pps, pps::CLOCK_HZ);
-        let top = pps::speed(speed.unsigned_abs(), limits.scale, pps::CLOCK_HZ);
+        let barred = self.stations[axis].errors.contains(&true);
+        let allowed = self.limits_on(axis).map(|on| !on && !barred);
         let unit = &mut self.axes[axis];
-        // The joystick's own steps are the ramp: the axis takes each at once.
-        unit.set_limits(limits);
-        let way = if speed == 0 { unit.direction() } else { Direction::of(speed.into()) };
-        unit.set_goal(Goal::Speed(way, top));
+        self.stations[axis].follow_joystick(unit, &settings, analog, allowed, pps::CLOCK_HZ);
     }
 }
 

@@ -3,18 +3,16 @@
 use super::refusal::Refusal;
 use super::table::Id;
 use super::{MILLISECOND, Pmx2ed};
+use crate::ascii::ports::Ports;
 use crate::board::{Board, Port};
 use crate::flash::Flash;
 use ::motion::Ticks;
 use core::fmt::Write;
-use protocol::performax::{Receiver, Reply};
+use protocol::performax::Reply;
 
 /// State of the ports.
 pub struct Wire {
-    /// Of USB and of RS-485.
-    receivers: [Receiver; 2],
-    /// The last two digits of the device name, as they were at power-up.
-    pub address: u8,
+    ports: Ports,
     /// When a host was heard last.
     heard_at: Ticks,
     /// Nobody was heard for too long.
@@ -23,12 +21,12 @@ pub struct Wire {
 
 impl Wire {
     pub const fn new(address: u8) -> Self {
-        Self { receivers: [Receiver::new(), Receiver::new()], address, heard_at: 0, timed_out: false }
+        Self { ports: Ports::new(address), heard_at: 0, timed_out: false }
     }
 
     /// Forgets a command that has begun at a port.
     pub fn hang_up(&mut self, port: Port) {
-        self.receivers[receiver(port)].clear();
+        self.ports.hang_up(port);
     }
 
     /// A host was heard, or nobody is missing one any more.
@@ -39,27 +37,20 @@ impl Wire {
 }
 
 impl<F: Flash> Pmx2ed<F> {
-    /// A byte arrives at a serial port. On RS-485 only commands with the address count.
+    /// A byte arrives at a serial port.
     pub fn take_byte(&mut self, port: Port, byte: u8, board: &mut dyn Board) {
-        let receiver = receiver(port);
-        // The receiver is copied back, so that the line may borrow it while the command acts.
-        let mut taken = core::mem::take(&mut self.wire.receivers[receiver]);
-        if let Some(message) = taken.push(byte) {
-            let meant = message.address.map_or(port == Port::Usb, |address| address == self.wire.address);
-            if meant && !self.dead {
-                let reply = match message.text {
-                    Ok(text) => self.answer(text, board),
-                    Err(_) => nothing_known(),
-                };
-                if !self.dead {
-                    if !reply.as_str().starts_with('?') {
-                        self.wire.heard(self.now);
-                    }
-                    board.send(port, &reply.emit(), 0);
-                }
+        let heard = self.wire.ports.hear(port, byte);
+        let Some(command) = heard.filter(|_| !self.dead) else { return };
+        let reply = match command {
+            Some(text) => self.answer(&text, board),
+            None => nothing_known(),
+        };
+        if !self.dead {
+            if !reply.as_str().starts_with('?') {
+                self.wire.heard(self.now);
             }
+            board.send(port, &reply.emit(), 0);
         }
-        self.wire.receivers[receiver] = taken;
     }
 
     /// When the communication time-out is due.
@@ -74,14 +65,6 @@ impl<F: Flash> Pmx2ed<F> {
         if self.time_out_due().is_some_and(|due| due <= self.now) {
             self.wire.timed_out = true;
         }
-    }
-}
-
-/// Which receiver is a port's.
-const fn receiver(port: Port) -> usize {
-    match port {
-        Port::Rs485 => 1,
-        Port::Usb | Port::Can => 0,
     }
 }
 
