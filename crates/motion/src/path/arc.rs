@@ -111,6 +111,11 @@ impl Arc {
         self.way
     }
 
+    /// How long it is in its plane, in pulses.
+    pub fn length(&self) -> u32 {
+        self.round().map_or(0, |round| (round.slots()[1] >> 32) as u32)
+    }
+
     /// The axis that goes along, and its way.
     pub fn along(&self) -> Option<(usize, i32)> {
         self.along
