@@ -54,6 +54,7 @@ pub static MODELS: &[Model] = &[
         name: "cmd-4cr",
         title: "Nippon Pulse CMD-4CR, firmware V126BL",
         language: Language::Ascript(&ascript::dialect::COMMANDER),
+        hid_product: Some(cmd4cr::NAME),
         flash_bytes: cmd4cr::FLASH_BYTES,
         build: |flash, _| Box::new(cmd4cr::Cmd4cr::new(flash)),
     },

@@ -22,6 +22,11 @@ impl Ports {
         Self { receivers: [Receiver::new(), Receiver::new()], address }
     }
 
+    /// The device number in force.
+    pub const fn address(&self) -> u8 {
+        self.address
+    }
+
     /// Takes a byte; gives a command when it is whole and for this device. On RS-485 only those with its
     /// address are.
     pub fn hear(&mut self, port: Port, byte: u8) -> Option<Heard> {

@@ -55,6 +55,9 @@ use start::Waiting;
 use table::AXIS_COUNT;
 pub use table::MAX_SPEED_PPS;
 
+/// What its names on USB begin with; the digits of its identification number follow (manual, 3.3).
+pub const NAME: &str = "CMD-4CR-";
+
 /// The reference clock of the PCL6045BL.
 const HZ: u32 = 19_660_800;
 
@@ -260,6 +263,10 @@ impl<F: Flash> Controller for Cmd4cr<F> {
 
     fn pins(&self) -> &'static [Pin] {
         pins::PINS
+    }
+
+    fn number(&self) -> u8 {
+        self.ports.address()
     }
 
     fn watches(&self, number: usize) -> bool {

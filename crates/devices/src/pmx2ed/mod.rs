@@ -210,7 +210,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
     }
 
     fn number(&self) -> u8 {
-        self.wire.address
+        self.wire.address()
     }
 
     fn watches(&self, number: usize) -> bool {

@@ -24,6 +24,11 @@ impl Wire {
         Self { ports: Ports::new(address), heard_at: 0, timed_out: false }
     }
 
+    /// The last two digits of the device name, as they were at power-up.
+    pub const fn address(&self) -> u8 {
+        self.ports.address()
+    }
+
     /// Forgets a command that has begun at a port.
     pub fn hang_up(&mut self, port: Port) {
         self.ports.hang_up(port);
