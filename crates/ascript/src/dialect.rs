@@ -24,6 +24,8 @@ pub struct Dialect {
     pub axes: &'static str,
     /// How many programs run side by side.
     pub threads: u8,
+    /// The command with which hosts stop and start them, before the number.
+    pub control: &'static str,
     /// How many compiled lines there is room for.
     pub lines: u16,
     /// How many variables there are.
@@ -48,6 +50,7 @@ pub static PERFORMAX_2: Dialect = Dialect {
     family: Family::Performax,
     axes: "XY",
     threads: 2,
+    control: "SR",
     lines: 1275,
     variables: 64,
     inputs: 8,
@@ -64,6 +67,7 @@ pub static COMMANDER: Dialect = Dialect {
     family: Family::Commander,
     axes: "XYZU",
     threads: 4,
+    control: "SACTRL",
     lines: 1800,
     variables: 100,
     inputs: 4,

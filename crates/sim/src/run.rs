@@ -144,15 +144,16 @@ pub fn run(
     mut progress: impl FnMut(Progress),
 ) -> Result<RunResult, RunError> {
     let wall = Instant::now();
+    let model = device.config().model;
     load(device, program)?;
     let start = device.now();
     for timed in &options.inputs {
         device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
     }
     let instructions = instructions(device);
-    match program {
-        Program::Tmcl(_) => tmcl::start(device)?,
-        Program::Ascript(lines) => ascript::start(device, lines)?,
+    match (program, model.language) {
+        (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::start(device, dialect, lines)?,
+        _ => tmcl::start(device)?,
     }
 
     let limit = options.for_seconds.map(|seconds| start.saturating_add(device.ticks(seconds)));

@@ -1,4 +1,4 @@
-//! A-SCRIPT programs on their way into a controller (PMX-2ED-SA manual, 7.19 and table 9.0).
+//! A-SCRIPT programs on their way into a controller (PMX-2ED-SA manual, 7.19 and table 9.0; CMD-4CR manual, 2.7).
 
 use super::{RunError, exchange};
 use crate::device::VirtualDevice;
@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 pub(super) fn load(device: &mut VirtualDevice, dialect: &Dialect, lines: &[Line]) -> Result<(), RunError> {
     for number in 0..dialect.threads {
-        send(device, &format!("SR{number}=0"))?;
+        send(device, &format!("{}{number}=0", dialect.control))?;
     }
     for (number, line) in lines.iter().enumerate() {
         send(device, &format!("SA{number}={line}"))?;
@@ -16,10 +16,10 @@ pub(super) fn load(device: &mut VirtualDevice, dialect: &Dialect, lines: &[Line]
 }
 
 /// Starts every program that the lines define.
-pub(super) fn start(device: &mut VirtualDevice, lines: &[Line]) -> Result<(), RunError> {
+pub(super) fn start(device: &mut VirtualDevice, dialect: &Dialect, lines: &[Line]) -> Result<(), RunError> {
     let program = |line: &Line| if let Line::Program(number) = *line { Some(number) } else { None };
     let programs: BTreeSet<u8> = lines.iter().filter_map(program).collect();
-    programs.into_iter().try_for_each(|number| send(device, &format!("SR{number}=1")))
+    programs.into_iter().try_for_each(|number| send(device, &format!("{}{number}=1", dialect.control)))
 }
 
 /// Sends one command, which must be answered with `OK`.
