@@ -51,6 +51,8 @@ struct Timed {
     /// When its next line is executed, in parts of a clock: [`LineTime::lines`] of them are one.
     next_at: Ticks,
     hold: Option<Hold>,
+    /// When an error came last.
+    failed_at: Option<Ticks>,
 }
 
 impl Timed {
@@ -67,6 +69,7 @@ impl Timed {
         self.thread.start(line);
         self.next_at = parts;
         self.hold = None;
+        self.failed_at = None;
     }
 }
 
@@ -83,7 +86,7 @@ impl<const N: usize> Threads<N> {
 
     /// Threads that do nothing.
     pub fn new(line: LineTime) -> Self {
-        let thread = || Timed { thread: Thread::new(), next_at: 0, hold: None };
+        let thread = || Timed { thread: Thread::new(), next_at: 0, hold: None, failed_at: None };
         Self { threads: core::array::from_fn(|_| thread()), line }
     }
 
@@ -189,7 +192,8 @@ impl<const N: usize> Threads<N> {
     }
 
     /// To the error subroutine, which returns to the program's first line (`restart`) or to the present one,
-    /// or into the error state.
+    /// or into the error state. Errors that come in one clock, as those of axes that are stopped together, are
+    /// one error.
     pub fn fail<const LINES: usize, const VARIABLES: usize>(
         &mut self,
         number: usize,
@@ -199,6 +203,9 @@ impl<const N: usize> Threads<N> {
     ) {
         let parts = self.parts(now);
         let timed = &mut self.threads[number];
+        if timed.failed_at.replace(now) == Some(now) {
+            return;
+        }
         timed.thread.fail(memory, restart);
         timed.hold = None;
         timed.next_at = timed.next_at.max(parts);

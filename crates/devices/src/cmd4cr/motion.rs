@@ -240,16 +240,20 @@ impl<F: Flash> Cmd4cr<F> {
         Ok(())
     }
 
-    /// `STOP`, `ABORT`: one axis with those that are interpolated with it, or all; also what waits for them. A
-    /// joystick is not stopped so (manual, 2.5.1.3).
+    /// `STOP`, `ABORT`: one axis with those that are interpolated with it, or all; also what waits for them. One
+    /// that has a joystick goes on, which is an error (manual, 2.5.1.3).
     pub fn stop(&mut self, axis: Option<usize>, halt: Halt) -> Result<(), Refusal> {
-        let stopped = (0..AXIS_COUNT).filter(|&other| axis.is_none_or(|axis| axis == other));
-        for axis in stopped.clone() {
-            self.drop_waiting(axis);
-            self.stop_axis(axis, halt);
+        let mut stopped = Ok(());
+        for axis in (0..AXIS_COUNT).filter(|&other| axis.is_none_or(|axis| axis == other)) {
+            if self.joystick_on(axis) {
+                stopped = Err(Refusal::Moving);
+            } else {
+                self.drop_waiting(axis);
+                self.stop_axis(axis, halt);
+            }
         }
         self.settle();
-        if stopped.into_iter().any(|axis| self.joystick_on(axis)) { Err(Refusal::Moving) } else { Ok(()) }
+        stopped
     }
 
     /// Stops an axis and what it is interpolated with. One that follows something goes on following it.

@@ -4,7 +4,7 @@ use super::buffer;
 use super::motion::{Motion, axes_in};
 use super::path::Curve;
 use super::refusal::Refusal;
-use super::table::{AXIS_COUNT, COMMANDS, Id};
+use super::table::{AXIS_COUNT, COMMANDS, Id, JOYSTICK_AXES};
 use super::{Cmd4cr, milliseconds};
 use crate::ascii::command::Id as _;
 use crate::ascii::station::Halt;
@@ -96,6 +96,9 @@ impl<F: Flash> Cmd4cr<F> {
             Word::Store => self.store(),
             Word::SynOn => self.sync_on(which, false, board),
             Word::SynOff => self.sync_off(which, board),
+            Word::Sr if action.index == number as u8 && action.arguments[0] == 0 => {
+                self.programs.stop_itself(number);
+            }
             Word::Sr => {
                 // A program that is not there does not start.
                 let _ = self.control_program(action.index.into(), action.arguments[0]);
@@ -227,6 +230,8 @@ fn motion(action: &Action, incremental: bool) -> Option<Motion> {
 /// The command that is the same as a register of the language, and its place.
 fn register(place: Place) -> Option<(Id, Option<usize>)> {
     let axis = place.axis().map(usize::from);
+    // The others have no joystick.
+    let stick = axis.filter(|&axis| axis < JOYSTICK_AXES);
     // Bits are numbered from 1.
     let bit = usize::from(place.index).checked_sub(1);
     Some(match place.word {
@@ -253,8 +258,8 @@ fn register(place: Place) -> Option<(Id, Option<usize>)> {
         Word::Sl => (Id::Loop, axis),
         Word::Sls => (Id::LoopStatus, axis),
         Word::JoyEna => (Id::JoystickMask, None),
-        Word::JoyHs => (Id::JoystickSpeed, axis),
-        Word::JoyDel => (Id::JoystickChange, axis),
+        Word::JoyHs => (Id::JoystickSpeed, Some(stick?)),
+        Word::JoyDel => (Id::JoystickChange, Some(stick?)),
         Word::SynCfg => (Id::Sync, axis),
         Word::SynPos => (Id::SyncPosition, axis),
         Word::SynStat => (Id::SyncStatus, axis),

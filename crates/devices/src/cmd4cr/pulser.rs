@@ -73,8 +73,12 @@ impl<F: Flash> Cmd4cr<F> {
         let pulses = self.pulsers[axis].gear.take(counts, gear);
         let position = &mut self.pulsers[axis].position;
         *position = position.wrapping_add(pulses as i32);
-        if pulses == 0 || !self.may_follow(axis) || self.limits_on(axis)[side(Direction::of(pulses))] {
+        let way = Direction::of(pulses);
+        if pulses == 0 || !self.may_follow(axis) {
             return;
+        }
+        if self.limits_on(axis)[side(way)] {
+            return self.limit_hit(axis, way);
         }
         let limits = self.limits(axis);
         let speed = if self.guards[axis].slow { limits.start } else { limits.top };

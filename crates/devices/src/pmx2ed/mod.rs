@@ -110,6 +110,10 @@ impl<F: Flash> Pmx2ed<F> {
     fn start(&mut self, board: &mut dyn Board) {
         if !core::mem::replace(&mut self.started, true) {
             self.boot_outputs(board);
+            // Decoders count from anywhere.
+            for axis in 0..AXIS_COUNT {
+                self.stations[axis].encoder.set_position(0, board.encoder(axis));
+            }
             self.boot_loops(board);
             self.boot_programs();
         }

@@ -1,0 +1,17 @@
+//! The CMD-4CR from wire to shaft: every command and every section of its manual, through its ports, on the
+//! simulated machine.
+
+mod capture;
+mod errors;
+mod examples;
+mod following;
+mod io;
+mod motion;
+mod paths;
+mod programs;
+mod rig;
+mod safety;
+mod sequences;
+mod settings;
+mod statements;
+mod wire;
