@@ -179,6 +179,7 @@ fn the_synchronisation_window() {
     rig.ok("SYNWFX X600");
     let all = edges(&mut rig, "DO1");
     assert_eq!(at(all), [900, 800, 700, 600]);
+    rig.pass_ms(1);
     rig.ok("SYNWOX X400");
     let again = edges(&mut rig, "DO1");
     assert_eq!(at(again), [500, 400]);
