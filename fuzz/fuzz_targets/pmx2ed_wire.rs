@@ -4,8 +4,9 @@
 
 #![no_main]
 
-use devices::ascii::Form;
-use devices::pmx2ed::table::COMMANDS;
+mod line;
+
+use devices::pmx2ed::table::{AXES, COMMANDS};
 use devices::{PinKind, Port, model};
 use libfuzzer_sys::fuzz_target;
 use sim::{DeviceConfig, PinValue, VirtualDevice};
@@ -35,7 +36,8 @@ fuzz_target!(|data: &[u8]| {
                 rest = after;
                 // Small numbers are more often in range.
                 let number = i32::from_le_bytes([a, b, c, d]) >> (8 * (what >> 4 & 3));
-                device.receive(Port::Usb, command(*size, *what, number).as_bytes());
+                let command = &COMMANDS[usize::from(*size) % COMMANDS.len()];
+                device.receive(Port::Usb, (line::line(command, AXES, *what, number) + "\r").as_bytes());
             }
             5 => {
                 let until = device.now() + u64::from(*size) * STEP_TICKS;
@@ -75,26 +77,3 @@ fuzz_target!(|data: &[u8]| {
     let reply: Vec<u8> = device.drain_sent().flat_map(|sent| sent.bytes).collect();
     assert_eq!(reply, b"PERFORMAX-2ED-SA\r");
 });
-
-/// A command of the table.
-fn command(entry: u8, how: u8, number: i32) -> String {
-    let command = &COMMANDS[usize::from(entry) % COMMANDS.len()];
-    let axis = if how & 8 == 0 { 'X' } else { 'Y' };
-    let sign = if number & 1 == 0 { '+' } else { '-' };
-    let name = command.name;
-    let line = match command.form {
-        Form::Bare => name.to_owned(),
-        Form::Axis => format!("{name}{axis}"),
-        Form::MaybeAxis if how & 128 == 0 => name.to_owned(),
-        Form::MaybeAxis => format!("{name}{axis}"),
-        Form::Index(low, high) | Form::MaybeIndex(low, high) => {
-            format!("{name}{}", low + (number.unsigned_abs() as u16 >> 3) % (high - low + 1))
-        }
-        Form::Way | Form::MaybeWay => format!("{name}{axis}{sign}"),
-        Form::AxisNumber => format!("{name}{axis}{number}"),
-        Form::Targets if how & 128 == 0 => format!("{axis}{number}"),
-        Form::Targets => format!("X{number}Y{}", number.rotate_left(7)),
-        Form::Each => format!("{name}{number}:{}", number.rotate_left(9)),
-    };
-    if command.value.can_set() && how & 64 == 0 { format!("{line}={number}\r") } else { format!("{line}\r") }
-}

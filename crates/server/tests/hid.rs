@@ -103,6 +103,30 @@ fn reports_carry_commands_and_replies() {
     server.stop().unwrap();
 }
 
+/// As the manual of the CMD-4CR has it (3.1.2).
+#[test]
+fn a_commander() {
+    let model = devices::model("cmd-4cr").unwrap();
+    let commander = |name: &str| sim::DeviceConfig { model, ..device(name, &["hid-tcp:127.0.0.1:0"]) };
+    let (server, address) = serve_http(vec![commander("a"), commander("b")]);
+    let [a, b] = [0, 1].map(|index: usize| server.ready()[index].1.clone());
+    let mut host = open(&a);
+    assert_eq!(host.name, "CMD-4CR-01");
+    host.check("ID", "01");
+    host.check("PX", "0");
+    host.check("HSPDX=5000", "OK");
+    // The reply repeats the command, as far as there is room.
+    let long = "v".repeat(63);
+    host.check(&long, &format!("?Unknown Command: {}", &long[..45]));
+    let mut other = open(&b);
+    other.check("ID=02", "OK");
+    other.check("STORE", "OK");
+    assert_eq!(call(address, "POST", "/api/devices/b/power-cycle", "").0, 204);
+    assert_eq!(open(&b).name, "CMD-4CR-02");
+    host.check("ID", "01");
+    server.stop().unwrap();
+}
+
 #[test]
 fn clients_have_reports_of_their_own() {
     let server = serve(vec![performax("a", &["hid-tcp:127.0.0.1:0", "tcp:127.0.0.1:0"])]);
