@@ -90,7 +90,7 @@ COMMANDS: Id {
     EnablesBoot "EOBOOT" Bare, stored(0, 15, 0); "" "2.1.5" "EOBOOT=3" "Motor power at power-up." boot_values;
     Encoders "EP" Bare, TEXT; "counts" "2.6.1.2" "EP" "Encoder positions of all axes." positions_are_set_and_read;
     ErrorClear "ERC" Axis, stored(0, 3, 0); "" "2.1.6.1" "ERCX=3" "When the error clear output is given: bit 0 at an error stop, bit 1 at the end of homing." error_clear_outputs;
-    ErrorClearDelay "ERCD" AxisOrEach, stored(0, 3, 0); "" "2.1.6.1" "ERCDX=1" "Pause after the error clear output: 0, 12 us, 1.6 ms, 104 ms; of all axes if none is named." error_clear_outputs;
+    ErrorClearDelay "ERCD" AxisOrEach, stored(0, 3, 0); "" "2.1.6.1" "ERCDX=1" "Delay of the error clear output: 0, 12 us, 1.6 ms, 104 ms; of all axes if none is named." error_clear_outputs;
     ErrorClearWidth "ERCP" AxisOrEach, stored(0, 6, 0); "" "2.1.6.1" "ERCPX=3" "Width of the error clear output: 12 us, 102 us, 409 us, 1.6 ms, 13 ms, 52 ms, 104 ms; of all axes if none is named." error_clear_outputs;
     EmergencyStop "ESTOP" Bare, ACTS; "" "2.1.3.1.2" "ESTOP" "Stops all axes as the emergency stop input does." emergency_stop;
     ExternalStart "EXST" Bare, stored(0, 1, 0); "" "2.1.3.1.3" "EXST=1" "1: motions wait for the external start input." external_start;

@@ -2,6 +2,7 @@
 //! simulated machine.
 
 mod capture;
+mod closed_loop;
 mod errors;
 mod examples;
 mod following;
