@@ -34,7 +34,7 @@ macro_rules! conformance {
     };
 }
 
-const DOCUMENTS: &[Document] = &[conformance!("pd42-1140"), conformance!("pmx-2ed")];
+const DOCUMENTS: &[Document] = &[conformance!("pd42-1140"), conformance!("pmx-2ed"), conformance!("cmd-4cr")];
 
 /// Writes every document.
 pub fn write(workplace: &Workplace) -> Result<()> {

@@ -66,6 +66,31 @@ pub enum ErrorKind {
     Other,
 }
 
+impl ErrorKind {
+    /// All of them, in the order of the table.
+    pub const ALL: [Self; 19] = [
+        Self::Unknown,
+        Self::Bit,
+        Self::Token,
+        Self::Equals,
+        Self::Assignment,
+        Self::OperationArgument,
+        Self::NotNumberOrVariable,
+        Self::VariableRange,
+        Self::MissingEquals,
+        Self::Gosub,
+        Self::SubNumber,
+        Self::Sub,
+        Self::EndSub,
+        Self::Prg,
+        Self::PrgNumber,
+        Self::MissingEnd,
+        Self::MissingEndWhile,
+        Self::MissingEndIf,
+        Self::Other,
+    ];
+}
+
 /// How bad it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Severity {

@@ -2,6 +2,7 @@
 //! test that holds it. Fails if a test does not exist that the page, or that of the decisions, names.
 
 mod ascii;
+mod cmd4cr;
 mod pd42;
 mod pmx2ed;
 
@@ -14,7 +15,8 @@ use std::process::ExitCode;
 type Page = fn() -> String;
 
 /// The pages by their model.
-const PAGES: &[(&str, Page)] = &[("pd42-1140", pd42::page), ("pmx-2ed", pmx2ed::page)];
+const PAGES: &[(&str, Page)] =
+    &[("pd42-1140", pd42::page), ("pmx-2ed", pmx2ed::page), ("cmd-4cr", cmd4cr::page)];
 
 fn main() -> ExitCode {
     let model = std::env::args().nth(1).unwrap_or_default();

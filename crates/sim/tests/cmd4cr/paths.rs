@@ -162,6 +162,10 @@ fn arcs() {
     check("ARCXYP0:0:180000", -180.0, [-1000, 0]);
     check("ARCXYP0:0:-90000", -90.0, [0, -1000]);
     check("ARCXYN0:0:270000", 270.0, [0, -1000]);
+    // An arc to where the axes are is none; only CIR goes all around.
+    rig.run("X1000Y0");
+    rig.ok("ARCXYP0:0:0");
+    assert!(!rig.moves("X"));
     // Other axes, in the other order: the first one is to the right.
     rig.run("ARCUZN0:500:0");
     assert_eq!(at(&mut rig)[2..], [500, 500]);

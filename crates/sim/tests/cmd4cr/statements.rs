@@ -207,6 +207,30 @@ fn synchronisation_of_programs() {
     assert_eq!(values, [0, 1, 2, 0, 0, 1, 0]);
 }
 
+/// Words of chapter 2 that table 5-42 leaves out.
+#[test]
+fn latches_and_more_of_programs() {
+    let mut rig = rig();
+    rig.pin("DI2", false);
+    rig.download(
+        "PRG 0\nLTY=1\nV1=LTSY\nJOGY+\nWHILE LTSY=1\nENDWHILE\nV2=LTSY\nV3=LTPY\nV4=LTEY\nABORTY\nLTY=0\nV5=LTSY\n\
+         PWM1=20\nV6=PWM1\nMPGEZ=1\nV7=MPGEZ\nEND",
+    );
+    rig.ok("SACTRL0=1");
+    rig.pass_ms(200);
+    let position = rig.get("PY");
+    rig.pin("DI2", true);
+    rig.pass_ms(50);
+    rig.check("SASTAT0", "0");
+    let values: Vec<_> = (1..=7).map(|number| rig.get(&format!("V{number}"))).collect();
+    assert_eq!(values, [1, 2, position, position, 0, 20, 1]);
+    rig.check("PWM1", "20");
+    rig.check("MPEZ", "1");
+    rig.device.pulser("Z", 40).unwrap();
+    rig.pass_ms(500);
+    rig.check("PZ", "40");
+}
+
 #[test]
 fn joysticks_of_programs() {
     let mut rig = rig();
@@ -257,4 +281,16 @@ fn branches_loops_and_subroutines() {
     );
     let values: Vec<_> = (1..=5).map(|number| rig.get(&format!("V{number}"))).collect();
     assert_eq!(values, [5, 1, 2, 2, 9]);
+}
+
+/// More moves than there are registers: the program goes on when one is free.
+#[test]
+fn a_program_waits_for_the_buffer() {
+    let mut rig = rig();
+    run(
+        &mut rig,
+        "BUFON\nHSPD=4000\nX1Y1\nISTART\nV1=0\nWHILE V1<150\nV1=V1+1\nV2=V1*10\nXV2Y0\nIF V1=100\nISTART\nENDIF\n\
+         ENDWHILE\nWAITX\nBUFOFF\nEND",
+    );
+    rig.check("PP", "1500:0:0:0");
 }
