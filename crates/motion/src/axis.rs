@@ -7,10 +7,10 @@
 
 use crate::block;
 use crate::foot::Foot;
-use crate::plan::{self, Kind, Limits, Now, Piece, Run, Wish};
+use crate::plan::{self, Kind, Limits, Now, Piece, Run, Shape, Wish};
 use crate::scurve::{self, Course};
 use crate::speed::{MAX_SPEED, Pace, Speed, SpeedSquared};
-use crate::train::{Direction, Moment, Ticks, Train};
+use crate::train::{Direction, FRACTION_BITS, Moment, Ticks, Train};
 
 /// One whole pulse in 2⁻³².
 const WHOLE: u64 = 1 << 32;
@@ -268,6 +268,37 @@ impl Axis {
             Ok(room @ 1..) if room < train.count => train.edge(room),
             _ => leg.last.ticks,
         })
+    }
+
+    /// The clock at which something may happen that others have to see: the axis comes to rest, or reaches an
+    /// edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away; what the speed does
+    /// meanwhile is the axis' own business. `None` at rest.
+    pub fn due(&self) -> Option<Ticks> {
+        let direction = self.leg.as_ref()?.train.direction;
+        let room = self.room(direction);
+        let wake = self.wake()?;
+        Some(if room > 0 { wake.max(self.before(room as u64)) } else { wake })
+    }
+
+    /// A clock before which the axis makes fewer pulses than these and does not come to rest.
+    pub(crate) fn before(&self, pulses: u64) -> Ticks {
+        let top = match (self.goal, self.wish(), self.limits.shape) {
+            // Jerk-limited ramps may go on speeding up for a while, and the end of a braking ramp is not looked
+            // for.
+            (_, _, Shape::SCurve { .. }) | (_, None | Some(Wish::Brake), _) => return 0,
+            (Goal::Speed(_, speed), ..) => speed,
+            (Goal::Position(_), ..) => self.limits.top,
+        };
+        let pulses = match self.wish() {
+            Some(Wish::To(left)) => pulses.min(left),
+            _ => pulses,
+        };
+        let fastest = top.max(self.limits.start).max(self.pace.speed);
+        let spacing = self.limits.scale.spacing(fastest);
+        // Ramps round their spacings, and of the first pulse a part may have been made.
+        let spacing = u128::from(spacing - (spacing >> 10));
+        let span = spacing * u128::from(pulses.saturating_sub(2)) >> FRACTION_BITS;
+        self.since.ticks.saturating_add(span.min(Ticks::MAX.into()) as Ticks)
     }
 
     /// Lets time pass to the end of clock `now`; `emit` gets the trains of the pulses made until then.

@@ -219,10 +219,10 @@ impl<F: Flash> Cmd4cr<F> {
 
     /// The next clock at which something is due, programs left out.
     fn due(&self) -> Ticks {
-        let rides = self.rides.iter().map(|ride| ride.path.wake(&self.axes));
+        let rides = self.rides.iter().map(|ride| ride.path.due(&self.axes));
         let clears = self.clears.iter().map(ErrorClear::due);
         let captures = self.captures.iter().map(Capture::due);
-        let axes = self.axes.iter().map(Axis::wake);
+        let axes = self.axes.iter().map(Axis::due);
         let deadlines = [self.tick_at, self.programs.delay_due()].into_iter();
         let all = deadlines.chain(rides).chain(clears).chain(captures).chain(axes);
         all.flatten().min().unwrap_or(Ticks::MAX).max(self.now)

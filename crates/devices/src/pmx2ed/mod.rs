@@ -171,9 +171,9 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// The next clock at which something is due, programs left out.
     fn due(&self) -> Ticks {
-        let line = self.line.as_ref().and_then(|line| line.wake(&self.axes));
+        let line = self.line.as_ref().and_then(|line| line.due(&self.axes));
         let deadlines = [line, self.tick_at, self.time_out_due(), self.programs.delay_due()];
-        let axes = self.axes.iter().map(Axis::wake);
+        let axes = self.axes.iter().map(Axis::due);
         deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
     }
 

@@ -185,7 +185,19 @@ impl<const N: usize> Path<N> {
         })
     }
 
-    /// Lets time pass to the end of clock `now`, no further than [`Self::wake`] says; `emit` gets the trains
+    /// The clock at which something may happen that others have to see: the path ends, or an axis reaches an
+    /// edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away. `None` at rest.
+    pub fn due(&self, axes: &[Axis; N]) -> Option<Ticks> {
+        let wake = self.wake(axes)?;
+        // No axis makes more than a pulse a slot.
+        let rooms = axes.iter().enumerate().filter(|(axis, _)| self.involves(*axis)).flat_map(|(_, axis)| {
+            [Direction::Negative, Direction::Positive].map(|way| axis.room(way)).into_iter()
+        });
+        let room = rooms.filter(|room| *room > 0).min().unwrap_or(0);
+        Some(wake.max(self.slots.before(room as u64)))
+    }
+
+    /// Lets time pass to the end of clock `now`, no further than [`Self::due`] says; `emit` gets the trains
     /// of the pulses made until then, with the number of their axis, and the axes count them.
     ///
     /// # Panics
