@@ -297,7 +297,7 @@ impl Axis {
         let spacing = self.limits.scale.spacing(fastest);
         // Ramps round their spacings, and of the first pulse a part may have been made.
         let spacing = u128::from(spacing - (spacing >> 10));
-        let span = spacing * u128::from(pulses.saturating_sub(2)) >> FRACTION_BITS;
+        let span = (spacing * u128::from(pulses.saturating_sub(2))) >> FRACTION_BITS;
         self.since.ticks.saturating_add(span.min(Ticks::MAX.into()) as Ticks)
     }
 
