@@ -7,6 +7,7 @@ use ascript::isa::{self, Word};
 use devices::ascii::Value;
 use devices::cmd4cr::table::{AXES, COMMANDS};
 use motion::pps;
+use protocol::hid::ApiError;
 
 const HEAD: &str = "\
 # CMD-4CR: conformance
@@ -142,6 +143,18 @@ const SECTION_2_1: &[(&str, Rows)] = &[
             ("13", "Z index", "polarities"),
             ("14", "direction of the pulse generator", "inputs_of_the_manual_pulse_generator"),
             ("15, 16", "its input: x1, x2, x4, two-pulse", "inputs_of_the_manual_pulse_generator"),
+        ],
+    ),
+    (
+        "Functions of the HID library (table 3-36)",
+        &[
+            ("GetCommanderHIDnumber, GetCommanderHIDName", "names of devices", "names"),
+            (
+                "OpenCommanderHID, CloseCommanderHID",
+                "a client has reports of its own",
+                "clients_have_reports_of_their_own",
+            ),
+            ("SendReceiveCommanderHID", "a command and its reply", "a_commander"),
         ],
     ),
     (
@@ -439,6 +452,12 @@ pub fn page() -> String {
         for (entry, meaning, test) in *rows {
             line(format!("| {entry} | {meaning} | `{test}` |"));
         }
+    }
+    line(
+        "\n## Error codes of the HID library (table 3-37)\n\n| code | meaning | test |\n|---|---|---|".into(),
+    );
+    for error in ApiError::ALL {
+        line(format!("| {} | {error} | `codes` |", error.code()));
     }
     line("\n## Homing modes (appendix A)\n\n| entry | meaning | test |\n|---|---|---|".into());
     homing_rows().into_iter().for_each(&mut line);

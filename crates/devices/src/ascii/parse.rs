@@ -57,7 +57,9 @@ pub fn parse<'a, I>(
         None => (line, None),
     };
     let mut error = ParseError::Unknown;
-    for command in table {
+    // Nearly all entries are out with their first letter.
+    let first = left.bytes().next();
+    for command in table.iter().filter(|it| it.name.is_empty() || it.name.bytes().next() == first) {
         let takes = if value.is_some() { command.value.can_set() } else { command.value.can_ask() };
         let Some(rest) = left.strip_prefix(command.name).filter(|_| takes) else { continue };
         let mut parsed = Parsed {

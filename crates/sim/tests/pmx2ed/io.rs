@@ -157,4 +157,8 @@ fn encoder_decoding_and_polarity() {
     rig.ok("EX=2147483647");
     rig.check("EX", "2147483647");
     rig.check("EX=2147483648", "?Invalid Answer");
+    // It begins at 0, wherever the shaft is.
+    assert_ne!(rig.shaft("X"), 0);
+    rig.power_cycle();
+    rig.check("EX", "0");
 }
