@@ -93,6 +93,9 @@ impl<F: Flash> Pmx2ed<F> {
                         self.wire.heard(self.now);
                     }
                     Word::Store => self.store(),
+                    Word::Sr if action.index == number as u8 && action.arguments[0] == 0 => {
+                        self.programs.stop_itself(number);
+                    }
                     Word::Sr => {
                         // A program that is not there does not start.
                         let _ = self.control_program(action.index.into(), action.arguments[0]);

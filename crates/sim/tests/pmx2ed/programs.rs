@@ -207,6 +207,17 @@ fn errors_run_subroutine_31() {
     rig.check("DO", "1");
 }
 
+/// A program that stops itself in SUB 31 stops where SUB 31 ends.
+#[test]
+fn a_program_that_stops_itself_in_subroutine_31() {
+    let mut rig = Rig::new();
+    rig.start("V2=1/V0\nV3=1\nEND\nSUB 31\nSR0=0\nDELAY=20\nDO=3\nENDSUB");
+    rig.pass_ms(5);
+    rig.check("SASTAT0", "1");
+    rig.pass_ms(50);
+    assert_eq!((rig.get("DO"), rig.get("V3"), rig.get("SASTAT0")), (3, 0, 0));
+}
+
 #[test]
 fn division_by_zero_is_an_error_of_the_program() {
     let mut rig = Rig::new();
