@@ -6,6 +6,7 @@ use super::path::Curve;
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id, MAX_SPEED_PPS};
 use super::{Cmd4cr, HZ};
+use crate::ascii::clock::Clocked as _;
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::path::Move;

@@ -33,6 +33,7 @@ mod start;
 pub mod table;
 mod wire;
 
+use crate::ascii::clock::{Clocked, Programmed as _};
 use crate::ascii::encoder::Encoder;
 use crate::ascii::ports::Ports;
 use crate::ascii::speeds::Family;
@@ -157,7 +158,61 @@ impl<F: Flash> Cmd4cr<F> {
         }
     }
 
-    /// Lets the axes run to a clock and sees to what has changed there.
+    /// The millisecond clock, for what is watched and not told.
+    fn tick(&mut self, board: &mut dyn Board) {
+        for axis in 0..AXIS_COUNT {
+            self.poll_loop(axis, board);
+            self.follow_joystick(axis, board);
+        }
+    }
+
+    /// A store failed because the supply is gone: nothing happens any more.
+    fn die(&mut self) {
+        self.dead = true;
+        self.axes.iter_mut().for_each(Axis::halt);
+        self.rides.clear();
+        self.tick_at = None;
+    }
+}
+
+/// The next clock of the millisecond clock after this one.
+const fn next_tick(now: Ticks) -> Ticks {
+    milliseconds(now * 1000 / HZ as Ticks + 1)
+}
+
+impl<F: Flash> Clocked for Cmd4cr<F> {
+    type Outside = ([Option<Drive>; AXIS_COUNT], [[bool; 3]; AXIS_COUNT]);
+
+    fn now(&self) -> Ticks {
+        self.now
+    }
+
+    fn is_dead(&self) -> bool {
+        self.dead
+    }
+
+    fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    fn outside(&self) -> Self::Outside {
+        let inputs = core::array::from_fn(|axis| {
+            [pin::HOME, pin::INDEX, pin::SLOWDOWN]
+                .map(|input| self.watches_axis_pin(axis * pin::AXIS + input))
+        });
+        (self.io.drives(), inputs)
+    }
+
+    fn due(&self) -> Ticks {
+        let rides = self.rides.iter().map(|ride| ride.path.due(&self.axes));
+        let clears = self.clears.iter().map(ErrorClear::due);
+        let captures = self.captures.iter().map(Capture::due);
+        let axes = self.axes.iter().map(Axis::due);
+        let deadlines = [self.tick_at, self.programs.delay_due()].into_iter();
+        let all = deadlines.chain(rides).chain(clears).chain(captures).chain(axes);
+        all.flatten().min().unwrap_or(Ticks::MAX).max(self.now)
+    }
+
     fn step_to(&mut self, clock: Ticks, board: &mut dyn Board) {
         board.clock(clock);
         for (number, axis) in self.axes.iter_mut().enumerate() {
@@ -175,15 +230,6 @@ impl<F: Flash> Cmd4cr<F> {
         }
     }
 
-    /// The millisecond clock, for what is watched and not told.
-    fn tick(&mut self, board: &mut dyn Board) {
-        for axis in 0..AXIS_COUNT {
-            self.poll_loop(axis, board);
-            self.follow_joystick(axis, board);
-        }
-    }
-
-    /// Whatever follows from the present state: called after everything that happens.
     fn react(&mut self, board: &mut dyn Board) {
         if self.dead {
             return;
@@ -216,44 +262,6 @@ impl<F: Flash> Cmd4cr<F> {
             _ => {}
         }
     }
-
-    /// The next clock at which something is due, programs left out.
-    fn due(&self) -> Ticks {
-        let rides = self.rides.iter().map(|ride| ride.path.due(&self.axes));
-        let clears = self.clears.iter().map(ErrorClear::due);
-        let captures = self.captures.iter().map(Capture::due);
-        let axes = self.axes.iter().map(Axis::due);
-        let deadlines = [self.tick_at, self.programs.delay_due()].into_iter();
-        let all = deadlines.chain(rides).chain(clears).chain(captures).chain(axes);
-        all.flatten().min().unwrap_or(Ticks::MAX).max(self.now)
-    }
-
-    /// A store failed because the supply is gone: nothing happens any more.
-    fn die(&mut self) {
-        self.dead = true;
-        self.axes.iter_mut().for_each(Axis::halt);
-        self.rides.clear();
-        self.tick_at = None;
-    }
-
-    /// What the windows of the axes depend on: driver stages, and the inputs that matter.
-    fn outside(&self) -> ([Option<Drive>; AXIS_COUNT], [[bool; 3]; AXIS_COUNT]) {
-        let inputs = core::array::from_fn(|axis| {
-            [pin::HOME, pin::INDEX, pin::SLOWDOWN]
-                .map(|input| self.watches_axis_pin(axis * pin::AXIS + input))
-        });
-        (self.io.drives(), inputs)
-    }
-
-    /// Whether an axis has arrived at an edge of its window since its odometer was this.
-    fn at_window(&self, before: [i64; AXIS_COUNT]) -> bool {
-        self.axes.iter().zip(before).any(|(axis, before)| axis.odometer() != before && axis.at_window())
-    }
-}
-
-/// The next clock of the millisecond clock after this one.
-const fn next_tick(now: Ticks) -> Ticks {
-    milliseconds(now * 1000 / HZ as Ticks + 1)
 }
 
 impl<F: Flash> Controller for Cmd4cr<F> {
@@ -286,48 +294,23 @@ impl<F: Flash> Controller for Cmd4cr<F> {
 
     fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
         assert!(now >= self.now, "time moves forward");
-        if self.dead {
-            self.now = now;
-            return now;
-        }
-        self.start(board);
-        let outside = self.outside();
-        loop {
-            let horizon = self.due().min(now);
-            let before = self.axes.each_ref().map(Axis::odometer);
-            match self.programs.next(self.now).filter(|&(clock, _)| clock <= horizon) {
-                Some((clock, thread)) => {
-                    self.step_to(clock, board);
-                    if !self.at_window(before) {
-                        self.run_program(thread, horizon, board);
-                    }
-                }
-                None => self.step_to(horizon, board),
-            }
-            if self.dead {
-                return self.advance(now, board);
-            }
-            if self.at_window(before) || self.outside() != outside {
-                return self.now;
-            }
-            let idle = self.programs.next(self.now).is_none_or(|(clock, _)| clock > now);
-            if self.now == now && idle && self.due() > now {
-                return now;
+        if !self.dead {
+            self.start(board);
+            let reached = self.pass(now, board);
+            if !self.dead {
+                return reached;
             }
         }
+        self.now = now;
+        now
     }
 
     fn wake(&self) -> Ticks {
-        if self.dead {
-            return Ticks::MAX;
+        match (self.dead, self.started) {
+            (true, _) => Ticks::MAX,
+            (false, false) => self.now,
+            (false, true) => self.next_look(milliseconds(1)),
         }
-        if !self.started {
-            return self.now;
-        }
-        // A program has something to do all the time: once a millisecond is often enough to look.
-        let program =
-            self.programs.next(self.now).map_or(Ticks::MAX, |(at, _)| at.max(self.now + milliseconds(1)));
-        self.due().min(program)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {

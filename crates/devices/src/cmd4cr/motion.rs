@@ -4,6 +4,7 @@ use super::path::Curve;
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
 use super::{Cmd4cr, FAMILY, HZ, MAX_SPEED_PPS};
+use crate::ascii::clock::Clocked as _;
 use crate::ascii::speeds::{self, Speeds};
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;

@@ -21,6 +21,7 @@ mod refusal;
 pub mod table;
 mod wire;
 
+use crate::ascii::clock::{Clocked, Programmed as _};
 use crate::ascii::encoder::Encoder;
 use crate::ascii::speeds::Family;
 use crate::ascii::station::{Station, Task};
@@ -119,7 +120,53 @@ impl<F: Flash> Pmx2ed<F> {
         }
     }
 
-    /// Lets the axes run to a clock and sees to what has changed there.
+    /// The millisecond clock, for what is watched and not told.
+    fn tick(&mut self, board: &mut dyn Board) {
+        for axis in 0..AXIS_COUNT {
+            self.poll_loop(axis, board);
+            self.follow_joystick(axis, board);
+        }
+    }
+
+    /// A store failed because the supply is gone: nothing happens any more.
+    fn die(&mut self) {
+        self.dead = true;
+        self.axes.iter_mut().for_each(Axis::halt);
+        self.line = None;
+        self.tick_at = None;
+    }
+}
+
+impl<F: Flash> Clocked for Pmx2ed<F> {
+    type Outside = ([Option<Drive>; AXIS_COUNT], [bool; 2 * AXIS_COUNT]);
+
+    fn now(&self) -> Ticks {
+        self.now
+    }
+
+    fn is_dead(&self) -> bool {
+        self.dead
+    }
+
+    fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    fn outside(&self) -> Self::Outside {
+        let inputs = core::array::from_fn(|number| {
+            let input = if number % 2 == 0 { pin::HOME } else { pin::INDEX };
+            self.watches_homing(number / 2 * pin::AXIS + input)
+        });
+        (self.io.drives(), inputs)
+    }
+
+    fn due(&self) -> Ticks {
+        let line = self.line.as_ref().and_then(|line| line.due(&self.axes));
+        let deadlines = [line, self.tick_at, self.time_out_due(), self.programs.delay_due()];
+        let axes = self.axes.iter().map(Axis::due);
+        deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
+    }
+
     fn step_to(&mut self, clock: Ticks, board: &mut dyn Board) {
         board.clock(clock);
         for (number, axis) in self.axes.iter_mut().enumerate() {
@@ -137,15 +184,6 @@ impl<F: Flash> Pmx2ed<F> {
         }
     }
 
-    /// The millisecond clock, for what is watched and not told.
-    fn tick(&mut self, board: &mut dyn Board) {
-        for axis in 0..AXIS_COUNT {
-            self.poll_loop(axis, board);
-            self.follow_joystick(axis, board);
-        }
-    }
-
-    /// Whatever follows from the present state: called after everything that happens.
     fn react(&mut self, board: &mut dyn Board) {
         if self.dead {
             return;
@@ -167,36 +205,6 @@ impl<F: Flash> Pmx2ed<F> {
             (false, Some(_)) => self.tick_at = None,
             _ => {}
         }
-    }
-
-    /// The next clock at which something is due, programs left out.
-    fn due(&self) -> Ticks {
-        let line = self.line.as_ref().and_then(|line| line.due(&self.axes));
-        let deadlines = [line, self.tick_at, self.time_out_due(), self.programs.delay_due()];
-        let axes = self.axes.iter().map(Axis::due);
-        deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
-    }
-
-    /// A store failed because the supply is gone: nothing happens any more.
-    fn die(&mut self) {
-        self.dead = true;
-        self.axes.iter_mut().for_each(Axis::halt);
-        self.line = None;
-        self.tick_at = None;
-    }
-
-    /// What the windows of the axes depend on: driver stages, and the inputs that matter.
-    fn outside(&self) -> ([Option<Drive>; AXIS_COUNT], [bool; 2 * AXIS_COUNT]) {
-        let inputs = core::array::from_fn(|number| {
-            let input = if number % 2 == 0 { pin::HOME } else { pin::INDEX };
-            self.watches_homing(number / 2 * pin::AXIS + input)
-        });
-        (self.io.drives(), inputs)
-    }
-
-    /// Whether an axis has arrived at an edge of its window since its odometer was this.
-    fn at_window(&self, before: [i64; AXIS_COUNT]) -> bool {
-        self.axes.iter().zip(before).any(|(axis, before)| axis.odometer() != before && axis.at_window())
     }
 }
 
@@ -231,48 +239,23 @@ impl<F: Flash> Controller for Pmx2ed<F> {
 
     fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
         assert!(now >= self.now, "time moves forward");
-        if self.dead {
-            self.now = now;
-            return now;
-        }
-        self.start(board);
-        let outside = self.outside();
-        loop {
-            let horizon = self.due().min(now);
-            let before = self.axes.each_ref().map(Axis::odometer);
-            match self.programs.next(self.now).filter(|&(clock, _)| clock <= horizon) {
-                Some((clock, thread)) => {
-                    self.step_to(clock, board);
-                    if !self.at_window(before) {
-                        self.run_program(thread, horizon, board);
-                    }
-                }
-                None => self.step_to(horizon, board),
-            }
-            if self.dead {
-                return self.advance(now, board);
-            }
-            if self.at_window(before) || self.outside() != outside {
-                return self.now;
-            }
-            let idle = self.programs.next(self.now).is_none_or(|(clock, _)| clock > now);
-            if self.now == now && idle && self.due() > now {
-                return now;
+        if !self.dead {
+            self.start(board);
+            let reached = self.pass(now, board);
+            if !self.dead {
+                return reached;
             }
         }
+        self.now = now;
+        now
     }
 
     fn wake(&self) -> Ticks {
-        if self.dead {
-            return Ticks::MAX;
+        match (self.dead, self.started) {
+            (true, _) => Ticks::MAX,
+            (false, false) => self.now,
+            (false, true) => self.next_look(MILLISECOND),
         }
-        if !self.started {
-            return self.now;
-        }
-        // A program has something to do all the time: once a millisecond is often enough to look.
-        let program =
-            self.programs.next(self.now).map_or(Ticks::MAX, |(at, _)| at.max(self.now + MILLISECOND));
-        self.due().min(program)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {

@@ -4,6 +4,7 @@ use super::pins::number as pin;
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id};
 use super::{FAMILY, MAX_SPEED_PPS, Pmx2ed};
+use crate::ascii::clock::Clocked as _;
 use crate::ascii::speeds::{self, Speeds};
 use crate::ascii::station::{Halt, SIDES, Task, side};
 use crate::board::Board;

@@ -4,6 +4,7 @@
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
+use crate::ascii::clock::Programmed;
 use crate::ascii::command::Id as _;
 use crate::ascii::station::Halt;
 use crate::ascii::threads::{Hold, Threads};
@@ -21,44 +22,28 @@ const PROGRAMS: usize = PERFORMAX_2.threads as usize;
 /// The programs' threads and that of the host.
 pub const THREADS: usize = PROGRAMS + 1;
 
-impl<F: Flash> Pmx2ed<F> {
-    /// Runs a thread until `horizon`, before which nothing else happens, or until it has done something
-    /// after which the horizon may be another. Time stands at its next line.
-    pub fn run_program(&mut self, number: usize, horizon: Ticks, board: &mut dyn Board) {
-        let (clock, exit) = self.programs.run(number, &mut self.memory.program, self.now, horizon);
-        match exit {
-            Exit::Budget | Exit::Idle | Exit::Stopped => {}
-            Exit::Read(place) => {
-                self.step_to(clock, board);
-                let value = register(place).map_or(0, |(id, place)| self.read(id, place, board));
-                self.programs.complete(number, value);
-            }
-            Exit::Write(place, value) => {
-                self.step_to(clock, board);
-                // What a host would be refused changes nothing here either.
-                let _ = self.write_register(place, value, board);
-                self.programs.done(number);
-                self.react(board);
-            }
-            Exit::Do(action) => {
-                self.step_to(clock, board);
-                self.perform(number, action, board);
-                self.react(board);
-            }
-            Exit::Fault(_) => self.fail(number),
-        }
+impl<F: Flash> Programmed<THREADS> for Pmx2ed<F> {
+    fn threads(&mut self) -> &mut Threads<THREADS> {
+        &mut self.programs
     }
 
-    fn write_register(&mut self, place: Place, value: i32, board: &mut dyn Board) -> Result<(), Refusal> {
-        let (id, place) = register(place).ok_or(Refusal::Unknown)?;
-        let range = COMMANDS[id.position()].value.range();
-        if !range.is_some_and(|(low, high)| (low..=high).contains(&value)) {
-            return Err(Refusal::Value);
-        }
-        self.write(id, place, value, board)
+    fn next_program(&self) -> Option<(Ticks, usize)> {
+        self.programs.next(self.now)
     }
 
-    /// Does what a line says.
+    fn run_thread(&mut self, number: usize, horizon: Ticks) -> (Ticks, Exit) {
+        self.programs.run(number, &mut self.memory.program, self.now, horizon)
+    }
+
+    fn read_register(&self, place: Place, board: &mut dyn Board) -> i32 {
+        register(place).map_or(0, |(id, place)| self.read(id, place, board))
+    }
+
+    fn write_register(&mut self, place: Place, value: i32, board: &mut dyn Board) {
+        // What a host would be refused changes nothing here either.
+        let _ = self.set_register(place, value, board);
+    }
+
     fn perform(&mut self, number: usize, action: Action, board: &mut dyn Board) {
         let axis = action.axis.map(usize::from);
         let way = match action.direction {
@@ -120,6 +105,22 @@ impl<F: Flash> Pmx2ed<F> {
         }
     }
 
+    fn fail(&mut self, number: usize) {
+        let restart = self.polarity(0) & polarity::RESTART != 0;
+        self.programs.fail(number, &self.memory.program, restart, self.now);
+    }
+}
+
+impl<F: Flash> Pmx2ed<F> {
+    fn set_register(&mut self, place: Place, value: i32, board: &mut dyn Board) -> Result<(), Refusal> {
+        let (id, place) = register(place).ok_or(Refusal::Unknown)?;
+        let range = COMMANDS[id.position()].value.range();
+        if !range.is_some_and(|(low, high)| (low..=high).contains(&value)) {
+            return Err(Refusal::Value);
+        }
+        self.write(id, place, value, board)
+    }
+
     fn hold(&mut self, number: usize, hold: Hold) {
         self.programs.hold(number, hold);
         self.end_waits();
@@ -137,12 +138,6 @@ impl<F: Flash> Pmx2ed<F> {
         if let Some(number) = self.programs.responsible(self.stations[axis].program) {
             self.fail(number);
         }
-    }
-
-    /// To the error subroutine, or into the error state.
-    fn fail(&mut self, number: usize) {
-        let restart = self.polarity(0) & polarity::RESTART != 0;
-        self.programs.fail(number, &self.memory.program, restart, self.now);
     }
 
     /// `SR`: 0 stop, 1 start, 2 pause, 3 continue.
