@@ -71,6 +71,11 @@ impl Buffer {
         self.on
     }
 
+    /// The program that has started it.
+    pub const fn program(&self) -> Option<usize> {
+        self.program
+    }
+
     /// `BSTAT`: whether it is on, the registers of the next move and of the next free one, and how many are
     /// free.
     pub fn status(&self) -> [usize; 4] {

@@ -249,7 +249,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
         self.give_clears(board);
         self.compare(board);
         if self.run_buffer(board).is_err()
-            && let Some(number) = self.programs.responsible(None)
+            && let Some(number) = self.programs.responsible(self.buffer.program())
         {
             self.fail(number);
         }
