@@ -199,6 +199,41 @@ fn conditions() {
     }
     rig.pin("CEMG", true);
     rig.check("HX+1", "?Error ESTOP");
+
+    // Not while something else moves the axis.
+    let mut rig = self::rig();
+    for (on, off) in [("JENA=1", "JENA=0"), ("MPEX=1", "MPEX=0")] {
+        rig.ok(on);
+        rig.check("HX+1", "?Error Moving");
+        rig.ok(off);
+    }
+    rig.pin("ALMX", true);
+    rig.check("HX+1", "?Error Alarm");
+    rig.pin("ALMX", false);
+    assert_eq!(home(&mut rig, "X", "HX+1"), (1010, 0));
+}
+
+/// Homing waits for the external start as any motion does, and for the driver at its end.
+#[test]
+fn homing_waits() {
+    let mut rig = rig();
+    rig.ok("EXST=1 HX+1 HY-6");
+    rig.pass_ms(50);
+    assert_eq!((rig.shaft("X"), rig.get("MSTX") >> 19 & 1), (0, 1));
+    for on in [true, false, true] {
+        rig.pin("CSTA", on);
+    }
+    rig.until_rest();
+    assert_eq!(["X", "Y"].map(|axis| rig.shaft(axis)), [1010, -2999]);
+
+    let mut rig = self::rig();
+    rig.ok("INPX=1 ERCX=2");
+    assert_eq!(home(&mut rig, "X", "HX+9"), (1010, 0));
+    assert_eq!(rig.get("MSTX") >> 18 & 1, 1);
+    rig.check("X0", "?Error Moving");
+    rig.pin("INPX", true);
+    assert_eq!(rig.get("MSTX") >> 18 & 1, 0);
+    rig.run("X500");
 }
 
 #[test]
