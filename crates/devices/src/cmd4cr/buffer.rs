@@ -2,7 +2,7 @@
 //! constant speed of its own (manual, 2.3.4).
 
 use super::motion::{Motion, axes_in};
-use super::path::Curve;
+use super::path::{Curve, held};
 use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id, MAX_SPEED_PPS};
 use super::{Cmd4cr, HZ};
@@ -251,11 +251,12 @@ impl<F: Flash> Cmd4cr<F> {
                 }
             }
             Shapes::Curve(curve) => {
-                let course = Move::Arc(curve.path(from)?);
+                let arc = curve.path(from)?;
+                let course = Move::Arc(arc);
                 for axis in axes_in(curve.axes()) {
                     self.may_move(axis, curve.ways(axis, from))?;
                 }
-                self.start_ride(&course, limits, course.way(), curve.rise.is_some(), true, board);
+                self.start_ride(&course, held(limits, &arc), course.way(), curve.rise.is_some(), true, board);
             }
         }
         Ok(())

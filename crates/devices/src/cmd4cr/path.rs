@@ -3,14 +3,15 @@
 use super::motion::axes_in;
 use super::refusal::Refusal;
 use super::safety::slowed;
-use super::table::AXIS_COUNT;
-use super::{Cmd4cr, FAMILY};
+use super::table::{AXIS_COUNT, MAX_SPEED_PPS};
+use super::{Cmd4cr, FAMILY, HZ};
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::Limits;
 use ::motion::closed_loop;
 use ::motion::path::{Arc, End, Move, Path, Turn};
+use ::motion::speed::Speed;
 
 /// The axis that goes along a line while X and Y turn.
 const RISER: usize = 2;
@@ -62,6 +63,25 @@ impl Curve {
             (None, _) => 0,
         };
         [way > 0, way < 0]
+    }
+}
+
+/// Limits along a curve at which the axis that goes along on a helix is no faster than an axis can be: its way
+/// may be many times as long.
+pub fn held(limits: Limits, arc: &Arc) -> Limits {
+    let rise = u128::from(arc.along().map_or(0, |(_, way)| way.unsigned_abs()));
+    let length = u128::from(arc.length().max(1));
+    // One that goes nowhere in its plane is a line of the other axis.
+    if rise <= length || arc.ends() == [0; 2] && arc.length() == 0 {
+        return limits;
+    }
+    let highest = (MAX_SPEED_PPS as u128) << limits.scale.bits();
+    let highest = (highest * length / (u128::from(HZ) * rise)).clamp(1, Speed::MAX.into()) as Speed;
+    Limits {
+        top: limits.top.min(highest),
+        start: limits.start.min(highest),
+        stop: limits.stop.min(highest),
+        ..limits
     }
 }
 
@@ -125,7 +145,7 @@ impl<F: Flash> Cmd4cr<F> {
         }
         let course = Move::Arc(arc);
         let ways = course.way();
-        let limits = self.speeds(None, first).limits_over(arc.length(), &FAMILY);
+        let limits = held(self.speeds(None, first).limits_over(arc.length(), &FAMILY), &arc);
         for axis in axes_in(curve.axes()) {
             let counts = self.ratio(axis).counts(ways[axis].into()) as i32;
             let target = self.position(axis).wrapping_add(counts);

@@ -205,6 +205,30 @@ fn helices() {
     rig.until_rest();
 }
 
+/// On a helix that rises more than it turns Z is the faster one, but not faster than an axis can be; then the turn
+/// takes longer.
+#[test]
+fn steep_helices() {
+    for buffered in [false, true] {
+        let mut rig = Rig::with(|axis| axis.positive_limit = 10_000_000);
+        rig.ok("HSPD=1000 LSPD=1000");
+        let mut ms = |command: &str| {
+            if buffered {
+                rig.ok("BO ABS");
+                rig.ok(command);
+                rig.run("BSTART")
+            } else {
+                rig.run(command)
+            }
+        };
+        // 628 pulses around.
+        assert!((628..=630).contains(&ms("CIRTP100:0:100000")));
+        let ms = ms("CIRTP100:0:6653500");
+        assert!((1000..=1005).contains(&ms), "{ms}");
+        rig.check("PP", "0:0:6653500:0");
+    }
+}
+
 /// Moves of the buffer follow each other without a pause, each with its own speed.
 #[test]
 fn buffered_moves() {
