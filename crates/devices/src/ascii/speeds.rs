@@ -34,10 +34,10 @@ impl Speeds {
     /// What is out of the range of the table is brought into it. Also the fastest speed that the motion may
     /// be told to have on its way.
     fn profile(&self, family: &Family) -> (Profile, u32) {
-        let high_pps = self.high_pps;
         let chosen = self.window.and_then(|number| family.windows.get(usize::from(number).wrapping_sub(1)));
-        let window = chosen.unwrap_or_else(|| pps::window(family.windows, high_pps));
-        let low_pps = self.low_pps.max(window.least_low_pps).min(high_pps);
+        let window = chosen.unwrap_or_else(|| pps::window(family.windows, self.high_pps));
+        let high_pps = window.stepped(self.high_pps);
+        let low_pps = window.stepped(self.low_pps.max(window.least_low_pps)).min(high_pps);
         let [acceleration_ms, deceleration_ms] =
             [self.acceleration_ms, self.deceleration_ms].map(|ms| window.clamp_ms(ms, [low_pps, high_pps]));
         // On-the-fly changes need the scale of the whole window.

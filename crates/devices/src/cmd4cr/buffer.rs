@@ -11,7 +11,10 @@ use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::path::Move;
 use ::motion::speed::MAX_GROWTH;
-use ::motion::{Limits, Shape, pps};
+use ::motion::{
+    Limits, Shape,
+    pps::{self, COMMANDER},
+};
 use heapless::Deque;
 
 /// Registers of the buffer.
@@ -228,8 +231,9 @@ impl<F: Flash> Cmd4cr<F> {
 
     fn begin_entry(&mut self, entry: Entry, board: &mut dyn Board) -> Result<(), Refusal> {
         let from: [i32; AXIS_COUNT] = core::array::from_fn(|axis| self.axes[axis].position());
-        let scale = pps::scale(entry.speed_pps, HZ);
-        let speed = pps::speed(entry.speed_pps, scale, HZ);
+        let speed_pps = pps::window(&COMMANDER, entry.speed_pps).stepped(entry.speed_pps);
+        let scale = pps::scale(speed_pps, HZ);
+        let speed = pps::speed(speed_pps, scale, HZ);
         // Constant speed: there are no ramps to join, and a stop is one at once.
         let limits = Limits {
             scale,

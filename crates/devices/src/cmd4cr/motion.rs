@@ -297,7 +297,7 @@ impl<F: Flash> Cmd4cr<F> {
         };
         let allowed = window.least_low_pps..=window.to_pps;
         let asked = u32::try_from(asked).ok().filter(|asked| allowed.contains(asked) && !s_curve);
-        let asked = asked.ok_or(Refusal::Speed)?;
+        let asked = window.stepped(asked.ok_or(Refusal::Speed)?);
         if !matches!(self.stations[axis].task, Task::Move { .. } | Task::Jog) {
             return Err(Refusal::Override);
         }

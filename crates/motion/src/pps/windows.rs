@@ -12,6 +12,8 @@ pub struct Window {
     pub to_pps: u32,
     /// The least low speed.
     pub least_low_pps: u32,
+    /// Speeds are multiples of this: the magnification of a speed register.
+    pub step_pps: u32,
     /// The shortest ramp.
     pub least_ms: u32,
     /// The gentlest acceleration, in pulses a second each second.
@@ -31,20 +33,31 @@ pub const PERFORMAX: [Window; 9] = [
     row(9, [3_200_000, 6_000_000], 400, 1, 135_000),
 ];
 
-/// The windows of the CMD-4CR; the last ends at the highest speed.
+/// The windows of the CMD-4CR. Speeds are in 16-bit registers of the PCL6045BL, times the magnification that the
+/// window stands for, so "65K" of table B-46 is 65,535.
 pub const COMMANDER: [Window; 7] = [
-    row(1, [1, 65_000], 1, 2, 50),
-    row(2, [65_000, 130_000], 2, 1, 100),
-    row(3, [130_000, 325_000], 5, 1, 200),
-    row(4, [325_000, 650_000], 10, 1, 800),
-    row(5, [650_000, 1_300_000], 20, 1, 1500),
-    row(6, [1_300_000, 3_200_000], 50, 1, 3800),
-    row(7, [3_200_000, 6_553_500], 100, 1, 7500),
+    magnified(1, 0, 1, 2, 50),
+    magnified(2, 1, 2, 1, 100),
+    magnified(3, 2, 5, 1, 200),
+    magnified(4, 5, 10, 1, 800),
+    magnified(5, 10, 20, 1, 1500),
+    magnified(6, 20, 50, 1, 3800),
+    magnified(7, 50, 100, 1, 7500),
 ];
+
+/// The largest number in a speed register of the PCL6045BL.
+const MAX_REGISTER: u32 = 65_535;
 
 const fn row(number: u8, pps: [u32; 2], least_low_pps: u32, least_ms: u32, delta: u32) -> Window {
     let [from_pps, to_pps] = pps;
-    Window { number, from_pps, to_pps, least_low_pps, least_ms, delta }
+    Window { number, from_pps, to_pps, least_low_pps, step_pps: 1, least_ms, delta }
+}
+
+/// From the end of the window below, which has its own magnification.
+const fn magnified(number: u8, below: u32, magnification: u32, least_ms: u32, delta: u32) -> Window {
+    let from_pps = if below == 0 { 1 } else { MAX_REGISTER * below };
+    let pps = [from_pps, MAX_REGISTER * magnification];
+    Window { step_pps: magnification, ..row(number, pps, magnification, least_ms, delta) }
 }
 
 /// The window of a high speed: the slower one at a border, the last one beyond the end.
@@ -67,6 +80,12 @@ impl Window {
         } else {
             longest as u32
         }
+    }
+
+    /// The speed that the registers have where this one is asked for; the least is one step.
+    pub const fn stepped(&self, pps: u32) -> u32 {
+        let stepped = pps - pps % self.step_pps;
+        if stepped == 0 { self.step_pps } else { stepped }
     }
 
     /// The time that a ramp between two speeds really takes when this one is asked for.
@@ -140,6 +159,9 @@ mod tests {
         // Section B.1, but for the least time, which table B-46 has as 2 ms up to 65,000 pps.
         check_range(&COMMANDER, [10_000, 20_000], 2, 200_000);
         check_range(&COMMANDER, [9000, 900_000], 1, 594_000);
+        // The registers' ends.
+        let ends = COMMANDER.map(|row| row.to_pps);
+        assert_eq!(ends, [65_535, 131_070, 327_675, 655_350, 1_310_700, 3_276_750, 6_553_500]);
         // Nothing to gain, or less than the gentlest acceleration gains in the shortest time.
         check_range(&PERFORMAX, [500, 500], 1, 1);
         check_range(&PERFORMAX, [500, 400], 1, 1);

@@ -419,3 +419,22 @@ fn emergency_stop() {
         rig.check("PP", "0:0:0:0");
     }
 }
+
+/// Speeds are those of 16-bit registers times a magnification; they read back as they were written.
+#[test]
+fn speeds_of_the_registers() {
+    let mut rig = Rig::with(|axis| axis.positive_limit = i64::MAX / 4);
+    let mut check = |asked: i32, speed: i32| {
+        rig.ok(&format!("LSPDX=200 ACCX=1 DECX=1 HSPDX={asked} JX+"));
+        rig.pass_ms(400);
+        assert_eq!((rig.get("PSX"), rig.get("HSPDX")), (speed, asked));
+        rig.ok("ABORTX");
+    };
+    check(65_535, 65_535);
+    check(65_537, 65_536);
+    check(131_070, 131_070);
+    check(131_074, 131_070);
+    check(655_357, 655_340);
+    check(3_276_751, 3_276_700);
+    check(6_553_500, 6_553_500);
+}
