@@ -4,7 +4,7 @@
 use super::motion::{Motion, axes_in};
 use super::path::{Curve, held};
 use super::refusal::Refusal;
-use super::table::{AXIS_COUNT, Id, MAX_SPEED_PPS};
+use super::table::{AXIS_COUNT, Id, MAX_SPEED_PPS, POSITIONS};
 use super::{Cmd4cr, HZ};
 use crate::ascii::clock::Clocked as _;
 use crate::board::Board;
@@ -197,6 +197,9 @@ impl<F: Flash> Cmd4cr<F> {
                 core::array::from_fn(|axis| from[axis].wrapping_add(ways[axis]))
             }
         };
+        if !end.iter().all(|position| POSITIONS.contains(position)) {
+            return Err(Refusal::Index);
+        }
         self.buffer.entries.push_back(entry).map_err(|_| Refusal::BufferFull)?;
         self.buffer.end = end;
         self.buffer.added += 1;

@@ -2,7 +2,7 @@
 
 use super::Cmd4cr;
 use super::refusal::Refusal;
-use super::table::{AXIS_COUNT, Id};
+use super::table::{AXIS_COUNT, Id, POSITIONS};
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;
@@ -45,7 +45,8 @@ impl<F: Flash> Cmd4cr<F> {
 
     /// The pulse that a target means.
     pub fn goal(&self, axis: usize, target: i32) -> Result<i32, Refusal> {
-        self.stations[axis].goal(&self.axes[axis], target, self.ratio(axis)).ok_or(Refusal::Index)
+        let pulses = self.stations[axis].goal(&self.axes[axis], target, self.ratio(axis));
+        pulses.filter(|pulses| POSITIONS.contains(pulses)).ok_or(Refusal::Index)
     }
 
     /// `SLS`.

@@ -25,6 +25,12 @@ const ACTS: Value = Value::None;
 /// Any 32-bit number that the device works out and that can be set.
 const COUNTER: Value = Value::Device { read: true, write: Some((i32::MIN, i32::MAX)) };
 
+/// Where axes can be sent, and what their counters can be set to: 28 bits (manual, 1.2).
+pub const POSITIONS: core::ops::RangeInclusive<i32> = -134_217_728..=134_217_727;
+
+/// A position that the device counts and that can be set.
+const PLACE: Value = Value::Device { read: true, write: Some((*POSITIONS.start(), *POSITIONS.end())) };
+
 /// A number that can only be read.
 const READS: Value = Value::Device { read: true, write: None };
 
@@ -83,7 +89,7 @@ COMMANDS: Id {
     Output "DO" Index(1, 4), both(0, 1); "" "2.1.3.2.2" "DO3=1" "One high-speed output." digital_outputs;
     OutputsBoot "DOBOOT" Bare, stored(0, 15, 0); "" "2.1.5" "DOBOOT=1" "High-speed outputs at power-up." boot_values;
     OutputsPolarity "DOP" Bare, stored(0, 1, 0); "" "2.1.6.3" "DOP=1" "1 inverts the high-speed outputs." digital_outputs;
-    Encoder "E" Axis, COUNTER; "counts" "2.6.1.2" "EX=0" "Encoder position." encoder_inputs;
+    Encoder "E" Axis, PLACE; "counts" "2.6.1.2" "EX=0" "Encoder position." encoder_inputs;
     Interpolation "EINT" Bare, stored(0, 1, 1); "" "2.3.1" "EINT=0" "1: moves of several axes are lines, 0: each axis goes by itself." lines_need_interpolation;
     Enables "EO" Bare, both(0, 15); "" "2.2.1" "EO=3" "Motor power as bits." motor_power;
     Enable "EO" Index(1, 4), both(0, 1); "" "2.2.1" "EO1=1" "Motor power of one axis." motor_power;
@@ -126,7 +132,7 @@ COMMANDS: Id {
     PulserEnable "MPE" Axis, stored(0, 1, 0); "" "2.5.2" "MPEX=1" "Manual pulse generator on or off." the_manual_pulse_generator;
     PulserMultiplier "MPM" Axis, stored(1, 32, 1); "" "2.5.2.2" "MPMX=5" "Manual pulse generator: multiplier." the_manual_pulse_generator;
     Status "MST" Axis, READS; "" "2.6.2.1" "MSTX" "Status of an axis as bits." the_status_word;
-    Position "P" Axis, COUNTER; "pulses" "2.6.1.1" "PX=0" "Pulse position, or the target position now with StepNLoop." positions_are_set_and_read;
+    Position "P" Axis, PLACE; "pulses" "2.6.1.1" "PX=0" "Pulse position, or the target position now with StepNLoop." positions_are_set_and_read;
     Polarity "POL" Axis, stored(0, polarity::ALL, polarity::DEFAULT); "" "2.1.6.3" "POLX=69632" "Input modes and polarities as bits." polarities;
     Positions "PP" Bare, TEXT; "pulses" "2.6.1.1" "PP" "Pulse positions of all axes." positions_are_set_and_read;
     PulseSpeed "PS" Axis, READS; "pps" "2.6.2.2" "PSX" "Speed now; encoder counts a second with StepNLoop." speeds_are_read_while_moving;

@@ -248,9 +248,9 @@ fn encoder_inputs() {
     rig.check("EZ", "100");
     rig.run("Z-400");
     rig.check("EZ", "0");
-    rig.ok("EZ=2147483647");
-    rig.check("EZ", "2147483647");
-    rig.check("EZ=2147483648", "?Invalid Index");
+    rig.ok("EZ=134217727");
+    rig.check("EZ", "134217727");
+    rig.check("EZ=134217728", "?Invalid Index");
     // The way of counting is a setting.
     rig.ok(&format!("POLZ={} STORE", 1 << 10 | 1 << 11));
     rig.power_cycle();
@@ -263,13 +263,21 @@ fn encoder_inputs() {
 fn positions_are_set_and_read() {
     let mut rig = Rig::new();
     rig.check("PP", "0:0:0:0");
-    rig.ok("PX=1 PY=-2 PZ=2147483647 PU=-2147483648 EX=5 EY=-6 EZ=7 EU=-8");
-    rig.check("PP", "1:-2:2147483647:-2147483648");
+    rig.ok("PX=1 PY=-2 PZ=134217727 PU=-134217728 EX=5 EY=-6 EZ=7 EU=-8");
+    rig.check("PP", "1:-2:134217727:-134217728");
     rig.check("EP", "5:-6:7:-8");
     rig.ok("PZ=0");
     rig.run("X11");
-    rig.check("PP", "11:-2:0:-2147483648");
+    rig.check("PP", "11:-2:0:-134217728");
     rig.check("EP", "15:-6:7:-8");
+    // Axes go no further than their counters, which have 28 bits.
+    for command in ["X134217728", "X-134217729", "PX=134217728", "X0Y200000000", "CIRXYP134217728:0"] {
+        rig.check(command, "?Invalid Index");
+    }
+    rig.ok("BO");
+    rig.check("I0:0:134217728:1000", "?Invalid Index");
+    rig.ok("BF INC");
+    rig.check("X134217717", "?Invalid Index");
     // The counter is that of the pulses; the shaft knows nothing of it.
     assert_eq!(rig.shaft("X"), 10);
 }
