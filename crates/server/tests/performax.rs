@@ -1,9 +1,10 @@
-//! The lines of a PMX-2ED-SA on every endpoint, and its state over HTTP.
+//! The lines of a PMX-2ED-SA on every endpoint, buses, and its state over HTTP.
 
 mod common;
 
 use common::{
-    Serial, call, check, connect, directory, eventually, free_address, performax, serve, serve_http,
+    Serial, call, check, commander, connect, directory, eventually, free_address, performax, serve,
+    serve_http,
 };
 use serde_json::{Value, json};
 use std::{
@@ -108,6 +109,32 @@ fn devices_of_a_bus_have_addresses() {
         );
         check(own("b"), b"ABORT\r@07MM\r@00MM\rV9\r", b"OK\r0\r2\r");
     }
+    server.stop().unwrap();
+}
+
+/// Both families on one bus: two Commanders, whose number from the factory is 01, and a Performax, which is 00.
+#[test]
+fn families_share_a_bus() {
+    let bus = format!("tcp:{}", free_address());
+    let endpoints = ["tcp:127.0.0.1:0", &bus];
+    let devices = vec![commander("a", &endpoints), commander("b", &endpoints), performax("p", &endpoints)];
+    let (server, address) = serve_http(devices);
+    let own = |name: &str| {
+        let ready = server.ready().iter().find(|(known, _)| known == name);
+        connect(&ready.unwrap().1)
+    };
+    check(own("b"), b"ID=42\rSTORE\r", b"OK\rOK\r");
+    // Numbers take effect with the power: until then both answer to 01.
+    check(connect(&bus), b"@01V1\r", b"0\r0\r");
+    assert_eq!(call(address, "POST", "/api/devices/b/power-cycle", "").0, 204);
+    check(connect(&bus), b"@01ID\r@42ID\r@00ID\r", b"01\r42\rPERFORMAX-2ED-SA\r");
+    check(connect(&bus), b"ID\r@02ID\r@42U500\r", b"OK\r");
+    let at = |name: &str, axis: &str| {
+        let state = call(address, "GET", &format!("/api/devices/{name}"), "").1;
+        state["axes"][axis]["position"].clone()
+    };
+    eventually("the axis arrives", || at("b", "U") == json!(500));
+    assert_eq!(at("a", "U"), json!(0));
     server.stop().unwrap();
 }
 

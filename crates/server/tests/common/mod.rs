@@ -159,6 +159,12 @@ pub fn performax(name: &str, endpoints: &[&str]) -> DeviceConfig {
     DeviceConfig { model, ..device(name, endpoints) }
 }
 
+/// A CMD-4CR with these endpoints.
+pub fn commander(name: &str, endpoints: &[&str]) -> DeviceConfig {
+    let model = devices::model("cmd-4cr").unwrap();
+    DeviceConfig { model, ..device(name, endpoints) }
+}
+
 /// An address that nobody listens at: port 0 would be an endpoint of its own for each device.
 pub fn free_address() -> String {
     std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().to_string()
