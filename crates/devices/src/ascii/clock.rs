@@ -22,7 +22,7 @@ pub trait Clocked {
     /// Its axes.
     fn axes(&self) -> &[Axis];
 
-    /// Driver stages, and the inputs that matter now.
+    /// Driver stages, and the inputs and encoders that matter now.
     fn outside(&self) -> Self::Outside;
 
     /// The next clock at which something is due, programs left out; not in the past.

@@ -175,13 +175,22 @@ impl<F: Flash> Cmd4cr<F> {
     }
 }
 
+/// What the window of an axis depends on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub struct Outside {
+    drive: Option<Drive>,
+    inputs: [bool; 3],
+    pulser: bool,
+    encoder: Option<(i32, i32)>,
+}
+
 /// The next clock of the millisecond clock after this one.
 const fn next_tick(now: Ticks) -> Ticks {
     milliseconds(now * 1000 / HZ as Ticks + 1)
 }
 
 impl<F: Flash> Clocked for Cmd4cr<F> {
-    type Outside = ([Option<Drive>; AXIS_COUNT], [[bool; 3]; AXIS_COUNT]);
+    type Outside = [Outside; AXIS_COUNT];
 
     fn now(&self) -> Ticks {
         self.now
@@ -196,11 +205,14 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
     }
 
     fn outside(&self) -> Self::Outside {
-        let inputs = core::array::from_fn(|axis| {
-            [pin::HOME, pin::INDEX, pin::SLOWDOWN]
-                .map(|input| self.watches_axis_pin(axis * pin::AXIS + input))
-        });
-        (self.io.drives(), inputs)
+        let drives = self.io.drives();
+        core::array::from_fn(|axis| Outside {
+            drive: drives[axis],
+            inputs: [pin::HOME, pin::INDEX, pin::SLOWDOWN]
+                .map(|input| self.watches_axis_pin(axis * pin::AXIS + input)),
+            pulser: self.pulser_on(axis),
+            encoder: self.captured_window(axis),
+        })
     }
 
     fn due(&self) -> Ticks {
@@ -367,7 +379,8 @@ impl<F: Flash> Controller for Cmd4cr<F> {
     }
 
     fn encoder_window(&self, channel: usize) -> Option<(i32, i32)> {
-        self.captured_window(channel)
+        // Whoever has no supply compares nothing.
+        self.captured_window(channel).filter(|_| !self.dead)
     }
 
     fn encoder_moved(&mut self, _: usize, board: &mut dyn Board) {

@@ -4,6 +4,7 @@
 mod capture;
 mod closed_loop;
 mod errors;
+mod exact;
 mod examples;
 mod following;
 mod homing;
