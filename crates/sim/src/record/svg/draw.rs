@@ -3,6 +3,7 @@
 use super::{
     Sign, SvgRecorder,
     canvas::{Canvas, Failure, INK, PALE, Place, Shape, WIDTH, resized},
+    path::Path,
     series::{Curves, Extent, Motion},
     ticks::{Ticks as Scale, ticks},
 };
@@ -18,9 +19,9 @@ const GAP: f64 = 14.0;
 const TIME: f64 = 44.0;
 const STRIP: f64 = 16.0;
 const FOOT: f64 = 10.0;
-const LEFT: f64 = 84.0;
-const RIGHT: f64 = 20.0;
-const SMALL: f64 = 11.0;
+pub(super) const LEFT: f64 = 84.0;
+pub(super) const RIGHT: f64 = 20.0;
+pub(super) const SMALL: f64 = 11.0;
 
 /// A colour an axis, told apart by people who see fewer colours too.
 const AXIS_COLORS: [RGBColor; 4] =
@@ -41,9 +42,11 @@ pub(super) fn draw(recording: &SvgRecorder, end: Ticks) -> Result<String, String
     let pins: Vec<_> = (0..recording.info.pins.len())
         .filter(|pin| recording.levels[*pin].1 && !recording.info.pins[*pin].kind.is_analog())
         .collect();
-    let height = HEAD + 3.0 * (PANEL + GAP) + TIME + STRIP * pins.len() as f64 + FOOT;
+    let path = Path::of(recording);
+    let below = path.as_ref().map_or(FOOT, Path::height);
+    let height = HEAD + 3.0 * (PANEL + GAP) + TIME + STRIP * pins.len() as f64 + below;
     let mut text = String::new();
-    paint(recording, end, &pins, &mut text, height).map_err(|error| error.to_string())?;
+    paint(recording, end, &pins, path.as_ref(), &mut text, height).map_err(|error| error.to_string())?;
     Ok(resized(&text, height))
 }
 
@@ -51,6 +54,7 @@ fn paint(
     recording: &SvgRecorder,
     end: Ticks,
     pins: &[usize],
+    path: Option<&Path>,
     text: &mut String,
     height: f64,
 ) -> Result<(), Failure> {
@@ -58,14 +62,15 @@ fn paint(
     let clock = f64::from(recording.info.clock_hz);
     let origin = recording.origin.unwrap_or(end);
     let time = Range { low: origin as f64 / clock, high: end.max(origin + 1) as f64 / clock };
-    heading(recording, &canvas)?;
+    let axes: Vec<_> = (0..recording.axes.len()).filter(|axis| recording.axes[*axis].has_moved()).collect();
+    heading(recording, &axes, &canvas)?;
 
     let all = |part: fn(&Motion) -> Option<Extent>, scale: f64| -> Vec<Points> {
-        recording.axes.iter().map(|axis| points(axis, part, clock, scale)).collect()
+        axes.iter().map(|axis| points(&recording.axes[*axis], part, clock, scale)).collect()
     };
     let positions = all(|motion| motion.position, 1.0);
     let speeds = all(|motion| motion.speed, clock);
-    let accelerations = recording.axes.iter().map(|axis| slopes(axis, clock)).collect();
+    let accelerations = axes.iter().map(|axis| slopes(&recording.axes[*axis], clock)).collect();
     let curves = [
         ("position", "pulses", positions),
         ("speed", "pulses/s", speeds),
@@ -76,8 +81,8 @@ fn paint(
     for (number, (name, unit, curves)) in curves.into_iter().enumerate() {
         let panel = Panel::new(top, time, &curves);
         panel.grid(&canvas, &seconds, name, unit)?;
-        for (axis, curve) in curves.iter().enumerate() {
-            canvas.line(thinned(curve.iter().map(|point| panel.place(*point))), axis_color(axis), 1.25)?;
+        for (axis, curve) in axes.iter().zip(&curves) {
+            canvas.line(thinned(curve.iter().map(|point| panel.place(*point))), axis_color(*axis), 1.25)?;
         }
         panel.frame(&canvas)?;
         if number == 0 {
@@ -100,19 +105,22 @@ fn paint(
         strip(recording, &canvas, *pin, top, time, end)?;
         top += STRIP;
     }
+    if let Some(path) = path {
+        path.draw(&canvas, top)?;
+    }
     canvas.finish()
 }
 
 /// The name, and what colours and signs mean.
-fn heading(recording: &SvgRecorder, canvas: &Canvas<'_>) -> Result<(), Failure> {
+fn heading(recording: &SvgRecorder, axes: &[usize], canvas: &Canvas<'_>) -> Result<(), Failure> {
     let left = (HPos::Left, VPos::Center);
     canvas.text(&recording.info.device, (LEFT, 18.0), 15.0, left)?;
     let (mut x, y) = (LEFT, 41.0);
     let width = |text: &str| text.len() as f64 * 5.6 + 20.0;
     if recording.info.axes.len() > 1 {
-        for (axis, name) in recording.info.axes.iter().enumerate() {
-            let name = format!("axis {name}");
-            canvas.line([(x, y), (x + 16.0, y)], axis_color(axis), 1.5)?;
+        for axis in axes {
+            let name = format!("axis {}", recording.info.axes[*axis]);
+            canvas.line([(x, y), (x + 16.0, y)], axis_color(*axis), 1.5)?;
             canvas.text(&name, (x + 20.0, y), SMALL, left)?;
             x += 20.0 + width(&name);
         }

@@ -1,10 +1,13 @@
-//! A plot: position, speed and acceleration against time, switches and other digital pins below.
+//! A plot: position, speed and acceleration against time, switches and other digital pins below, and for a
+//! device with several axes the way of the first two that moved, seen from above. Axes that stood still are
+//! left out.
 //!
 //! Speed and acceleration come from the spacing of the pulses, not from what the device says. Curves are
 //! kept in buckets, so that a recording of a day takes as much memory as one of a second.
 
 mod canvas;
 mod draw;
+mod path;
 mod series;
 mod ticks;
 

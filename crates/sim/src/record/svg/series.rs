@@ -1,6 +1,9 @@
 //! Curves in bounded memory: a fixed number of buckets of time that double in width when they run out.
 
-use motion::{Moment, SubTicks, Ticks, Train, train::FRACTION_BITS};
+use motion::{
+    Moment, SubTicks, Ticks, Train,
+    train::{EVERY_SLOT, FRACTION_BITS, MAX_SLOTS},
+};
 
 /// Most buckets of a curve. A plot is about 800 points wide.
 pub(super) const MAX_BUCKETS: usize = 2048;
@@ -117,13 +120,27 @@ impl Merge for Motion {
 pub(super) struct Curves {
     pub buckets: Buckets<Motion>,
     position: i64,
+    moved: bool,
     /// When the last pulse was, and its spacing in clocks.
     last: Option<(Moment, f64)>,
+    uneven: Option<Uneven>,
 }
+
+/// An axis that steps in some slots of a path: its spacing jumps, but not its mean over many pulses.
+#[derive(Clone, Copy, Debug)]
+struct Uneven {
+    since: Moment,
+    /// Pulses since then, with their direction.
+    pulses: i64,
+}
+
+/// Over so many pulses the speed of such an axis is taken.
+const EVENED: i64 = MAX_SLOTS as i64;
 
 impl Curves {
     pub fn new(origin: Ticks) -> Self {
-        let mut curves = Self { buckets: Buckets::new(origin), position: 0, last: None };
+        let buckets = Buckets::new(origin);
+        let mut curves = Self { buckets, position: 0, moved: false, last: None, uneven: None };
         curves.put(origin, 0.0);
         curves
     }
@@ -133,17 +150,24 @@ impl Curves {
         self.position
     }
 
+    /// Whether there were any pulses.
+    pub fn has_moved(&self) -> bool {
+        self.moved
+    }
+
     /// Adds a train. It touches each bucket that it lasts through once, so that a long cruise costs no
     /// more than a short one.
     pub fn add(&mut self, train: &Train) {
-        let pause = match self.last {
-            // One spacing may be longer than the last without a rest between.
-            Some((end, spacing)) => train.start.ticks.saturating_sub(end.ticks) as f64 > 2.0 * spacing,
-            None => true,
-        };
+        // One spacing may be longer than the last without a rest between.
+        let most = if self.uneven.is_some() { 4.0 } else { 2.0 };
+        let pause = self
+            .last
+            .is_none_or(|(end, spacing)| train.start.ticks.saturating_sub(end.ticks) as f64 > most * spacing);
         if pause {
             self.rest(train.start.ticks);
         }
+        let sign = train.direction.sign();
+        self.even_out(train);
         // A train may begin anywhere between the pulse before and its own first one.
         let first = match self.last {
             Some((end, _)) => clocks(train.moment(1).since(end).unwrap_or(0)),
@@ -153,7 +177,6 @@ impl Curves {
         let (start, end) = (train.start.ticks, train.end());
         self.buckets.reach(end);
         let scale = self.buckets.scale;
-        let sign = train.direction.sign();
         let mut done = 0;
         for bucket in scale.bucket(start)..=scale.bucket(end) {
             let count = train.count_until(scale.end(bucket) - 1);
@@ -165,18 +188,56 @@ impl Curves {
                     Extent::add(&mut content.position, edge as f64, position as f64);
                     // The speed is that of the middle between two pulses.
                     let middle = edge as f64 - spacing / 2.0;
-                    Extent::add(&mut content.speed, middle, sign as f64 / spacing);
+                    if self.uneven.is_none() {
+                        Extent::add(&mut content.speed, middle, sign as f64 / spacing);
+                    }
                 }
             }
             done = count;
         }
         self.position += sign * i64::from(train.count);
+        self.moved = true;
         self.last = Some((train.moment(train.count), spacing(train.count)));
+        if let Some(uneven) = &mut self.uneven {
+            uneven.pulses += sign * i64::from(train.count);
+            if uneven.pulses.abs() >= EVENED {
+                self.mean_speed();
+            }
+        }
+    }
+
+    /// Looks whether the spacing of a train says something about the speed.
+    fn even_out(&mut self, train: &Train) {
+        let turned = |uneven: &Uneven| uneven.pulses * train.direction.sign() < 0;
+        if self.uneven.as_ref().is_some_and(turned) {
+            self.mean_speed();
+        }
+        if train.mask != EVERY_SLOT {
+            let since = self.last.map_or(train.start, |(end, _)| end);
+            self.uneven.get_or_insert(Uneven { since, pulses: 0 });
+        } else if i64::from(train.count) > EVENED {
+            self.mean_speed();
+            self.uneven = None;
+        }
+    }
+
+    /// The mean speed since it was taken last.
+    fn mean_speed(&mut self) {
+        let (Some(uneven), Some((end, _))) = (&mut self.uneven, self.last) else { return };
+        let span = clocks(end.since(uneven.since).unwrap_or(0));
+        let (middle, speed) = (end.ticks as f64 - span / 2.0, uneven.pulses as f64 / span);
+        *uneven = Uneven { since: end, pulses: 0 };
+        if speed != 0.0 {
+            let bucket = self.buckets.scale.bucket(middle as Ticks);
+            Extent::add(&mut self.buckets.buckets[bucket].speed, middle, speed);
+        }
     }
 
     /// The axis stood still from its last pulse until `until`.
     pub fn rest(&mut self, until: Ticks) {
         self.buckets.reach(until);
+        self.mean_speed();
+        self.uneven = None;
         if let Some((end, spacing)) = self.last.take() {
             let stopped = end.ticks + (spacing / 2.0) as Ticks;
             self.put(stopped.min(until), 0.0);
@@ -186,6 +247,7 @@ impl Curves {
 
     /// The recording ends, maybe in the middle of a movement.
     pub fn end(&mut self, at: Ticks) {
+        self.mean_speed();
         if self.last.is_none_or(|(end, spacing)| at.saturating_sub(end.ticks) as f64 > 2.0 * spacing) {
             self.rest(at);
         }
@@ -239,7 +301,7 @@ impl Buckets<Levels> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use motion::{Direction, train::EVERY_SLOT};
+    use motion::Direction;
 
     fn train(start: Ticks, interval: u64, count: u32, direction: Direction) -> Train {
         Train {
@@ -284,6 +346,29 @@ mod tests {
             assert_eq!(motion.speed.map(|speed| speed.last.1), Some(-0.001));
         }
         assert!(curves.buckets.buckets.len() > MAX_BUCKETS / 4);
+    }
+
+    /// Two of three slots, in trains of all lengths.
+    #[test]
+    fn the_speed_of_an_uneven_axis_is_its_mean() {
+        let mut curves = Curves::new(0);
+        let mut slot = 0;
+        for length in (1..=64).cycle().take(2000) {
+            let mask =
+                (0..length).filter(|bit| (slot + bit) % 3 != 0).fold(0_u64, |mask, bit| mask | 1 << bit);
+            let count = mask.count_ones();
+            if count > 0 {
+                curves.add(&Train { mask, ..train(slot * 1000, 1000, count, Direction::Positive) });
+            }
+            slot += length;
+        }
+        let speeds: Vec<_> = curves.buckets.iter().filter_map(|(_, motion)| motion.speed).collect();
+        assert!(speeds.len() > 500, "{}", speeds.len());
+        for speed in &speeds[2..] {
+            for speed in [speed.low, speed.high] {
+                assert!((speed * 1000.0 * 1.5 - 1.0).abs() < 0.02, "{speed}");
+            }
+        }
     }
 
     #[test]
