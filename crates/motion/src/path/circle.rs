@@ -29,6 +29,10 @@ pub struct Circle {
     last: i64,
     /// From where on the faster axis the point on the diagonal is meant; never, where there is none.
     diagonal: i64,
+    /// How far the chain goes to each side.
+    reach: i64,
+    /// As far as that on the faster axis, a place has nothing to do with the diagonal.
+    free: i64,
 }
 
 impl Circle {
@@ -40,7 +44,9 @@ impl Circle {
         // Half an arc of a pulse, so that there is time for a step to the diagonal and one away from it.
         let corner = ((squared as u128) << (2 * PLACE_BITS - 1)).isqrt() as i64;
         let diagonal = if gap == 2 { corner - 3 * HALF / 4 } else { i64::MAX };
-        Self { squared, last, diagonal }
+        // Where the last but one position ends, or well before the diagonal itself.
+        let free = ((last << PLACE_BITS) + HALF - 2 * SLACK).min(corner - HALF / 2).min(diagonal - 2 * SLACK);
+        Self { squared, last, diagonal, reach: nearest_root(squared), free }
     }
 
     /// The square of the radius.
@@ -50,16 +56,27 @@ impl Circle {
 
     /// How far the chain goes to each side.
     pub fn reach(&self) -> i64 {
-        nearest_root(self.squared)
+        self.reach
+    }
+
+    /// As far as that on the faster axis, a place has nothing to do with the diagonal.
+    pub fn free(&self) -> u64 {
+        self.free as u64
+    }
+
+    /// Whether the second axis is the faster one at a place.
+    #[inline]
+    pub fn is_steep(&self, [x, y]: Place) -> bool {
+        x.abs() > y.abs() + SLACK
     }
 
     /// The point of the chain for a place on the circle.
     #[inline]
     pub fn point(&self, [x, y]: Place) -> Point {
         let [across, up] = [x.abs(), y.abs()];
-        let steep = across > up + SLACK;
+        let steep = self.is_steep([x, y]);
         let (fast, slow) = if steep { (up, across) } else { (across, up) };
-        let mut fast_at = ((fast + HALF + SLACK) >> PLACE_BITS).min(self.last);
+        let mut fast_at = position(fast).min(self.last);
         // One off at the most.
         let mut slow_at = (slow + HALF) >> PLACE_BITS;
         let missing = self.squared - fast_at * fast_at - slow_at * slow_at;
@@ -70,6 +87,12 @@ impl Circle {
         let [across, up] = if steep { [slow_at, fast_at] } else { [fast_at, slow_at] };
         [if x < 0 { -across } else { across }, if y < 0 { -up } else { up }]
     }
+}
+
+/// The nearest position, half a pulse going away from 0.
+#[inline]
+pub fn position(place: i64) -> i64 {
+    (place + HALF + SLACK) >> PLACE_BITS
 }
 
 /// The whole number that is nearest to a square root.

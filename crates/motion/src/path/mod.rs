@@ -2,16 +2,20 @@
 //!
 //! The path is an axis of its own. Its ramps are those of the limits, and its pulses are slots in which the
 //! others step or do not, in the same clocks. Along a line the axis with the longest way steps in every slot;
-//! around a circle a slot is a little less than a pulse of arc, so that the speed of
-//! the limits is that along the circle. Every point that the axes come to is within half a pulse of the line
-//! or circle, whatever the speed does on the way, and the end is exact.
+//! around a circle a slot is a little less than a pulse of arc, and the speed of the limits is that along the
+//! circle. Every point that the axes come to is within half a pulse of the line or circle, whatever the speed
+//! does on the way, and the end is exact.
 
 mod angle;
 mod arc;
 mod circle;
+mod eighth;
 mod pace;
+mod places;
 mod round;
+mod steps;
 mod straight;
+mod window;
 
 pub use arc::{Arc, ArcError, End, MAX_RADIUS, Turn};
 
@@ -21,7 +25,7 @@ use crate::speed::Speed;
 use crate::train::{Direction, Ticks, Train};
 use pace::Pace;
 use round::Round;
-use straight::Straight;
+use straight::{Density, Straight};
 
 /// The way of the path that leads to the end: the one in which a distance may be 2³¹.
 const AHEAD: Direction = Direction::Negative;
@@ -109,9 +113,13 @@ impl<const N: usize> Path<N> {
         axes.iter().position(|&other| other == axis).map(|number| (number, round))
     }
 
+    fn goes_straight(&self, axis: usize) -> bool {
+        self.straight[axis].density() != Density::None
+    }
+
     /// Whether an axis takes part.
     pub fn involves(&self, axis: usize) -> bool {
-        self.straight[axis].moves() || self.on_circle(axis).is_some()
+        self.goes_straight(axis) || self.on_circle(axis).is_some()
     }
 
     /// Whether pulses are on their way.
@@ -128,8 +136,8 @@ impl<const N: usize> Path<N> {
     pub fn direction(&self, axis: usize) -> Option<Direction> {
         let ahead = self.slots.direction() == AHEAD;
         match self.on_circle(axis) {
-            Some((number, round)) => Some(round.directions(ahead)[number]),
-            None => self.straight[axis].moves().then(|| self.straight[axis].direction(ahead)),
+            Some((number, round)) => Some(round.directions(self.slot, ahead)[number]),
+            None => self.goes_straight(axis).then(|| self.straight[axis].direction(ahead)),
         }
     }
 
@@ -154,7 +162,7 @@ impl<const N: usize> Path<N> {
         let scale = self.slots.limits().scale.bits();
         let speed = u64::from(self.slots.speed()) << (self.limits.scale.bits() - scale);
         match self.on_circle(axis) {
-            Some((number, round)) => self.pace.pulses(speed, round.shares()[number]),
+            Some((number, round)) => self.pace.pulses(speed, round.shares(self.slot)[number]),
             None => self.straight[axis].speed(speed),
         }
     }
@@ -170,8 +178,7 @@ impl<const N: usize> Path<N> {
         let train = self.slots.train()?;
         let ahead = train.direction == AHEAD;
         let straight = self.straight.iter().zip(axes).filter_map(|(member, axis)| {
-            let room = u32::try_from(axis.room(member.direction(ahead))).ok().filter(|room| *room > 0)?;
-            member.slots_to(room, ahead)
+            member.slots_to(axis.room(member.direction(ahead)), self.slot, train.count, ahead)
         });
         let round = self.round.iter().flat_map(|(numbers, round)| {
             numbers.iter().enumerate().filter_map(move |(number, &axis)| {
@@ -179,10 +186,10 @@ impl<const N: usize> Path<N> {
                 round.slots_to(number, rooms, self.slot, train.count, ahead)
             })
         });
-        Some(match straight.chain(round).min() {
-            Some(slot) if slot < train.count.into() => train.edge(slot as u32),
-            _ => train.end(),
-        })
+        match straight.chain(round).min() {
+            Some(slot) if slot < train.count.into() => Some(train.edge(slot as u32)),
+            _ => self.slots.wake(),
+        }
     }
 
     /// The clock at which something may happen that others have to see: the path ends, or an axis reaches an
@@ -210,11 +217,33 @@ impl<const N: usize> Path<N> {
                 axes[axis].carry(train.direction, train.count);
                 emit(axis, train);
             };
+            let mut masked = round.is_some();
             for (number, member) in straight.iter_mut().enumerate() {
-                member.follow(path, ahead, |train| pulses(number, train));
+                let path = Train { direction: member.direction(ahead), ..*path };
+                match member.density() {
+                    Density::None => {}
+                    Density::Few => member.follow(&path, *slot, ahead, |train| pulses(number, train)),
+                    Density::Some => masked = true,
+                    Density::All => pulses(number, &path),
+                }
             }
-            if let Some((numbers, round)) = round {
-                round.follow(path, *slot, ahead, |number, train| pulses(numbers[number], train));
+            let (mut at, mut rest) = (*slot, Some(*path).filter(|_| masked));
+            while let Some(train) = rest {
+                let slots;
+                (slots, rest) = train.first_slots();
+                for (number, member) in straight.iter_mut().enumerate() {
+                    if member.density() == Density::Some
+                        && let Some(train) = slots.masked(member.mask(at, slots.count, ahead))
+                    {
+                        pulses(number, &Train { direction: member.direction(ahead), ..train });
+                    }
+                }
+                if let Some((numbers, round)) = round {
+                    for (number, steps) in numbers.iter().zip(round.steps(at, slots.count, ahead)) {
+                        steps.emit(&slots, |train| pulses(*number, train));
+                    }
+                }
+                at += if ahead { i64::from(slots.count) } else { -i64::from(slots.count) };
             }
             *slot += if ahead { i64::from(path.count) } else { -i64::from(path.count) };
         });

@@ -1,34 +1,31 @@
-//! Motion around a circle: which point belongs to which slot of the path.
+//! Motion around a circle: what both axes do in the slots of the path.
 //!
 //! The angle grows evenly with the slots, or with every 2ᵏ of them where a helix needs finer ones. These
-//! ticks are a little less than a pulse of arc long, so a point of the chain is never left out. Where on the
-//! circle a tick lies is a function of its number alone: every 64 ticks it is found from the angle, in
-//! between by turning the last place. So it can be asked for ahead, and backward.
+//! ticks are a little less than a pulse of arc long, so a point of the chain is never left out.
 
-use super::angle::{self, Angle, QUARTER, TURN, UNIT_BITS};
-use super::circle::{Circle, PLACE_BITS, Place, Point};
-use crate::train::{Direction, Train};
-
-/// Ticks from one place that is found from the angle to the next.
-const STRIDE: i64 = 64;
+use super::angle::{self, QUARTER, TURN};
+use super::circle::{Circle, PLACE_BITS, Point};
+use super::eighth::Eighth;
+use super::places::{Places, STRIDE, Spot};
+use super::steps::Steps;
+use super::window::{WINDOW, bits};
+use crate::train::Direction;
 
 /// An arc in progress. Inside, arcs go counter-clockwise: others are mirrored.
 #[derive(Clone, Copy, Debug)]
 pub struct Round {
     circle: Circle,
-    start: Point,
+    places: Places,
     /// Clockwise: the second coordinate is that of the mirror.
     mirrored: bool,
-    /// From start to end in 2⁻⁶⁴ of a turn, a whole turn at the most, and how many ticks that is.
-    travel: u128,
-    ticks: u64,
     /// Slots a tick, as a power of two.
     slot_bits: u32,
-    /// Cosine and sine of the angle of a tick.
-    turn: [i64; 2],
-    /// The tick that was reached last, with its place and its point.
-    tick: i64,
-    place: Place,
+    /// The window that was looked at last: which axis steps, and which steps are negative.
+    window: i64,
+    bits: [u64; 4],
+    /// What the window after that begins with.
+    next: i64,
+    spot: Spot,
     point: Point,
 }
 
@@ -42,102 +39,85 @@ impl Round {
         let shortest = ((length + (length >> 17)) >> 32) + 1;
         let slot_bits = (u64::from(slots) / shortest).checked_ilog2().unwrap_or(0);
         let ticks = u64::from(slots).div_ceil(1 << slot_bits).max(shortest);
-        let turn = angle::cosine_and_sine((travel / u128::from(ticks)) as Angle);
-        let place = start.map(|at| at << PLACE_BITS);
-        Self { circle, start, mirrored, travel, ticks, slot_bits, turn, tick: 0, place, point: start }
+        let places = Places::new(start, travel, ticks);
+        let spot = places.of(0);
+        Self {
+            circle,
+            places,
+            mirrored,
+            slot_bits,
+            window: i64::MIN,
+            bits: [0; 4],
+            next: 0,
+            spot,
+            point: start,
+        }
     }
 
     /// How many slots it takes, and how long it is, in 2⁻³² pulses.
     pub fn slots(&self) -> [u64; 2] {
-        [self.ticks << self.slot_bits, angle::arc_length(self.circle.squared() as u64, self.travel)]
+        let length = angle::arc_length(self.circle.squared() as u64, self.places.travel);
+        [self.places.ticks << self.slot_bits, length]
     }
 
     /// From start to end.
     pub fn way(&self) -> [i64; 2] {
-        let end = self.circle.point(self.place_of(self.ticks as i64));
-        mirror([end[0] - self.start[0], end[1] - self.start[1]], self.mirrored)
+        let ([x, y], end) = (self.places.start, self.point_of(self.places.ticks as i64));
+        mirror([end[0] - x, end[1] - y], self.mirrored)
     }
 
-    /// Where a tick lies.
-    fn place_of(&self, tick: i64) -> Place {
-        let first = tick & -STRIDE;
-        (first..tick).fold(self.place_of_stride(first), |place, _| self.turned(place))
+    /// The point of a tick.
+    fn point_of(&self, tick: i64) -> Point {
+        self.circle.point(self.places.of(tick).at)
     }
 
-    /// Where a tick lies that begins a stride.
-    fn place_of_stride(&self, tick: i64) -> Place {
-        let [cosine, sine] = angle::cosine_and_sine(self.angle_of(tick)).map(i128::from);
-        let [x, y] = self.start.map(i128::from);
-        [x * cosine - y * sine, x * sine + y * cosine].map(|at| (at >> (UNIT_BITS - PLACE_BITS)) as i64)
-    }
-
-    /// From the start to a tick.
-    fn angle_of(&self, tick: i64) -> Angle {
-        (self.travel as i128 * i128::from(tick)).div_euclid(self.ticks.into()) as Angle
-    }
-
-    /// A place one tick on.
-    #[inline]
-    fn turned(&self, [x, y]: Place) -> Place {
-        let [cosine, sine] = self.turn.map(i128::from);
-        let [x, y] = [i128::from(x), i128::from(y)];
-        [x * cosine - y * sine, x * sine + y * cosine].map(|at| (at >> UNIT_BITS) as i64)
-    }
-
-    /// The place of the tick after the one that has this place.
-    #[inline]
-    fn place_after(&self, tick: i64, place: Place) -> Place {
-        if (tick + 1) % STRIDE == 0 { self.place_of_stride(tick + 1) } else { self.turned(place) }
-    }
-
-    /// Which way both axes go, next, forward on the path or backward.
-    pub fn directions(&self, ahead: bool) -> [Direction; 2] {
-        let other = if ahead && self.tick < self.ticks as i64 {
-            self.place_after(self.tick, self.place)
-        } else {
-            self.place_of(self.tick - 1)
-        };
+    /// Which way both axes go after a slot, forward on the path or backward.
+    pub fn directions(&self, slot: i64, ahead: bool) -> [Direction; 2] {
+        let tick = slot >> self.slot_bits;
+        let other = if ahead && tick < self.places.ticks as i64 { tick + 1 } else { tick - 1 };
         // In the middle of the tick, so that an axis does not step against its direction.
-        let [x, y] = [self.place[0] + other[0], self.place[1] + other[1]];
-        let way = mirror([-y, x], self.mirrored);
+        let [[x, y], [u, v]] = [tick, other].map(|tick| self.places.of(tick).at);
+        let way = mirror([-y - v, x + u], self.mirrored);
         way.map(|way| if ahead { Direction::of(way) } else { Direction::of(way).reversed() })
     }
 
-    /// The share of both axes in the speed on the circle, in 2⁻³².
-    pub fn shares(&self) -> [u64; 2] {
+    /// The share of both axes in the speed on the circle after a slot, in 2⁻³².
+    pub fn shares(&self, slot: i64) -> [u64; 2] {
         let radius = ((self.circle.squared() as u128) << (2 * PLACE_BITS)).isqrt();
-        let [x, y] = self.place;
+        let [x, y] = self.places.of(slot >> self.slot_bits).at;
         [y, x].map(|at| ((u128::from(at.unsigned_abs()) << 32) / radius) as u64)
     }
 
     /// Slots from `slot` to the first in which one of the axes (0 or 1) is so far below or above where it is
     /// now, or earlier; `None` if it does not get there in `count` slots.
     pub fn slots_to(&self, axis: usize, rooms: [i64; 2], slot: i64, count: u32, ahead: bool) -> Option<u64> {
-        let [mut below, mut above] = rooms;
+        // At or beyond an edge there is nothing more to wait for.
+        let [mut below, mut above] = rooms.map(|room| if room > 0 { room } else { i64::MAX });
+        if below.min(above) > count.into() {
+            return None;
+        }
         if self.mirrored && axis == 1 {
             (below, above) = (above, below);
         }
-        // At or beyond an edge there is nothing more to wait for.
-        let [below, above] = [below, above].map(|room| if room > 0 { room } else { i64::MAX });
-        let (low, high) = (self.point[axis].saturating_sub(below), self.point[axis].saturating_add(above));
-        let reach = self.circle.reach();
         let end = if ahead { slot + i64::from(count) } else { slot - i64::from(count) };
-        let end = end >> self.slot_bits;
-        if (low < -reach && high > reach) || below.min(above) > (end - self.tick).abs() {
+        let [now, end] = [slot, end].map(|slot| slot >> self.slot_bits);
+        let (point, reach) = (self.point_of(now), self.circle.reach());
+        let (low, high) = (point[axis].saturating_sub(below), point[axis].saturating_add(above));
+        if low < -reach && high > reach {
             return None;
         }
         let there = |point: Point| point[axis] <= low || point[axis] >= high;
         if !ahead {
             // Only a change of limits on the way takes a path back.
-            let soon = (self.tick - STRIDE).max(end);
-            let tick = (soon..self.tick).rev().find(|&tick| there(self.circle.point(self.place_of(tick))));
+            let soon = (now - STRIDE).max(end);
+            let tick = (soon..now).rev().find(|&tick| there(self.point_of(tick)));
             let last = ((tick.unwrap_or(soon) + 1) << self.slot_bits) - 1;
             return (tick.is_some() || soon > end).then(|| (slot - last).max(1) as u64);
         }
-        let mut from = self.tick;
+        let mut from = now;
         while from < end {
             let to = self.turning_point(axis, from).min(end);
-            if there(self.circle.point(self.place_of(to))) {
+            if there(self.point_of(to)) {
                 let tick = self.first(from, to, there);
                 return Some(((tick << self.slot_bits) - slot) as u64);
             }
@@ -148,11 +128,11 @@ impl Round {
 
     /// The tick that is nearest to where an axis turns back, after this one: there it does not step.
     fn turning_point(&self, axis: usize, tick: i64) -> i64 {
-        let start = angle::of_point(self.start);
-        let from = start.wrapping_add(self.angle_of(tick)).wrapping_sub(axis as u64 * QUARTER);
+        let start = angle::of_point(self.places.start);
+        let from = start.wrapping_add(self.places.angle_of(tick)).wrapping_sub(axis as u64 * QUARTER);
         let mut left = u128::from(2 * QUARTER - from % (2 * QUARTER));
         loop {
-            let ticks = (left * u128::from(self.ticks) + self.travel / 2) / self.travel;
+            let ticks = (left * u128::from(self.places.ticks) + self.places.travel / 2) / self.places.travel;
             if ticks > 0 {
                 return tick + ticks as i64;
             }
@@ -164,66 +144,88 @@ impl Round {
     fn first(&self, mut from: i64, mut to: i64, there: impl Fn(Point) -> bool) -> i64 {
         while to - from > 2 * STRIDE {
             let middle = (from + (to - from) / 2) & -STRIDE;
-            if there(self.circle.point(self.place_of_stride(middle))) { to = middle } else { from = middle }
+            if there(self.circle.point(self.places.of_stride(middle).at)) {
+                to = middle
+            } else {
+                from = middle
+            }
         }
-        let mut place = self.place_of(from);
+        let mut spot = self.places.of(from);
         for tick in from..to {
-            place = self.place_after(tick, place);
-            if there(self.circle.point(place)) {
+            spot = self.places.after(tick, spot);
+            if there(self.circle.point(spot.at)) {
                 return tick + 1;
             }
         }
         to
     }
 
-    /// The trains of both axes (0 and 1) in a train of the path that begins after `slot`.
-    pub fn follow(&mut self, path: &Train, slot: i64, ahead: bool, mut emit: impl FnMut(usize, &Train)) {
-        let (mut slot, mut rest) = (slot, Some(*path));
-        while let Some(train) = rest {
-            let slots;
-            (slots, rest) = train.first_slots();
-            let [first, second] =
-                if ahead { self.go_ahead(slot, slots.count) } else { self.go_back(slot, slots.count) };
-            slot += if ahead { i64::from(slots.count) } else { -i64::from(slots.count) };
-            first.emit(slots, |train| emit(0, train));
-            let second = if self.mirrored { second.reversed() } else { second };
-            second.emit(slots, |train| emit(1, train));
-        }
+    /// What both axes do in some slots after `slot`, 64 at the most.
+    #[inline]
+    pub fn steps(&mut self, slot: i64, count: u32, ahead: bool) -> [Steps; 2] {
+        let [x, y, x_negative, y_negative] = bits(slot, count, ahead, |window| {
+            if window != self.window {
+                self.look_at(window);
+            }
+            self.bits
+        });
+        let [first, second] = [(x, x_negative), (y, y_negative)].map(|(some, negative)| {
+            let steps = Steps { some, negative };
+            if ahead { steps } else { steps.reversed() }
+        });
+        [first, if self.mirrored { second.reversed() } else { second }]
     }
 
-    /// The steps in some slots after `slot`.
-    fn go_ahead(&mut self, slot: i64, count: u32) -> [Steps; 2] {
-        let mut steps = [Steps::default(); 2];
-        let last = (slot + i64::from(count)) >> self.slot_bits;
-        while self.tick < last {
-            self.place = self.place_after(self.tick, self.place);
-            self.tick += 1;
-            let bit = ((self.tick << self.slot_bits) - slot - 1) as u32;
-            let point = self.circle.point(self.place);
-            for ((steps, from), to) in steps.iter_mut().zip(self.point).zip(point) {
-                steps.step(bit, to - from);
-            }
-            self.point = point;
+    /// Finds the bits of a window.
+    fn look_at(&mut self, window: i64) {
+        let first = (window * i64::from(WINDOW)) >> self.slot_bits;
+        if window != self.next {
+            self.spot = self.places.of(first);
+            self.point = self.circle.point(self.spot.at);
         }
-        steps
+        let mut steps = [Steps::default(); 2];
+        if self.slot_bits == 0 {
+            self.go_through_stride(first, &mut steps);
+        } else {
+            let last = ((window + 1) * i64::from(WINDOW)) >> self.slot_bits;
+            for tick in first..last {
+                let slot = (tick + 1) << self.slot_bits;
+                self.go_on(tick, (slot - window * i64::from(WINDOW) - 1) as u32, &mut steps);
+            }
+        }
+        let [x, y] = steps;
+        self.bits = [x.some, y.some, x.negative, y.negative];
+        (self.window, self.next) = (window, window + 1);
     }
 
-    /// The same backward.
-    fn go_back(&mut self, slot: i64, count: u32) -> [Steps; 2] {
-        let mut steps = [Steps::default(); 2];
-        let last = (slot - i64::from(count)) >> self.slot_bits;
-        while self.tick > last {
-            // A tick ends with the slot that leads to the one before.
-            let bit = (slot - (self.tick << self.slot_bits)) as u32;
-            self.tick -= 1;
-            self.place = self.place_of(self.tick);
-            let point = self.circle.point(self.place);
-            for ((steps, from), to) in steps.iter_mut().zip(self.point).zip(point) {
-                steps.step(bit, to - from);
+    /// From a tick to the next one.
+    fn go_on(&mut self, tick: i64, bit: u32, steps: &mut [Steps; 2]) {
+        self.spot = self.places.after(tick, self.spot);
+        let point = self.circle.point(self.spot.at);
+        for ((steps, from), to) in steps.iter_mut().zip(self.point).zip(point) {
+            steps.step(bit, to - from);
+        }
+        self.point = point;
+    }
+
+    /// The ticks of a stride, each of which is a slot.
+    fn go_through_stride(&mut self, first: i64, steps: &mut [Steps; 2]) {
+        let mut done = 0;
+        while done < WINDOW {
+            // As far as possible on an eighth of the circle, and a tick wherever it leads.
+            let mut eighth = Eighth::of(&self.circle, &self.spot, self.point);
+            let run = eighth.run(&self.circle, &self.places, &mut self.spot, WINDOW - 1 - done);
+            let point = eighth.point();
+            for (axis, steps) in steps.iter_mut().enumerate() {
+                let bits = run.bits[axis] << done;
+                steps.some |= bits;
+                steps.negative |= if point[axis] < self.point[axis] { bits } else { 0 };
             }
             self.point = point;
+            done += run.ticks;
+            self.go_on(first + i64::from(done), done, steps);
+            done += 1;
         }
-        steps
     }
 }
 
@@ -232,49 +234,11 @@ fn mirror([x, y]: [i64; 2], mirrored: bool) -> [i64; 2] {
     [x, if mirrored { -y } else { y }]
 }
 
-/// What an axis does in up to 64 slots: a bit for each.
-#[derive(Clone, Copy, Debug, Default)]
-struct Steps {
-    some: u64,
-    negative: u64,
-}
-
-impl Steps {
-    /// Adds a step of −1, 0 or 1.
-    #[inline]
-    fn step(&mut self, bit: u32, way: i64) {
-        debug_assert!((-1..=1).contains(&way), "a step is a pulse or none");
-        self.some |= (way as u64 & 1) << bit;
-        self.negative |= (way as u64 >> 63) << bit;
-    }
-
-    fn reversed(self) -> Self {
-        Self { negative: self.some & !self.negative, ..self }
-    }
-
-    /// The trains of these slots: more than one where the axis turns back.
-    fn emit(self, slots: Train, mut emit: impl FnMut(&Train)) {
-        let (mut slots, Self { mut some, mut negative }) = (slots, self);
-        while some != 0 {
-            let back = negative >> some.trailing_zeros() & 1 == 1;
-            let direction = if back { Direction::Negative } else { Direction::Positive };
-            let turn = (if back { some & !negative } else { some & negative }).trailing_zeros();
-            let part = Train { direction, ..slots };
-            if turn == u64::BITS {
-                return part.masked(some).iter().for_each(emit);
-            }
-            let (before, after) = part.split(turn);
-            before.masked(some & ((1 << turn) - 1)).iter().for_each(&mut emit);
-            (slots, some, negative) = (after, some >> turn, negative >> turn);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::path::MAX_RADIUS;
-    use crate::train::{EVERY_SLOT, Moment};
+    use crate::train::{EVERY_SLOT, MAX_SLOTS, Moment, Train};
 
     fn path(count: u32) -> Train {
         let start = Moment::at(0);
@@ -285,13 +249,21 @@ mod tests {
     /// Goes on for some slots; the steps by slot.
     fn go(round: &mut Round, slot: i64, count: u32, ahead: bool) -> Vec<[i64; 2]> {
         let mut steps = vec![[0; 2]; count as usize];
-        round.follow(&path(count), slot, ahead, |axis, train| {
-            for k in 1..=train.count {
-                let slot = &mut steps[(train.edge(k) / 10 - 1) as usize][axis];
-                assert_eq!(*slot, 0);
-                *slot = train.direction.sign();
+        let mut done = 0;
+        while done < count {
+            let part = (count - done).min(MAX_SLOTS);
+            let from = if ahead { slot + i64::from(done) } else { slot - i64::from(done) };
+            for (axis, bits) in round.steps(from, part, ahead).into_iter().enumerate() {
+                bits.emit(&path(part), |train| {
+                    for k in 1..=train.count {
+                        let slot = &mut steps[done as usize + (train.edge(k) / 10 - 1) as usize][axis];
+                        assert_eq!(*slot, 0);
+                        *slot = train.direction.sign();
+                    }
+                });
             }
-        });
+            done += part;
+        }
         steps
     }
 
@@ -316,10 +288,10 @@ mod tests {
                     .find(|(_, way)| *way == -rooms[0] || *way == rooms[1])
                     .map(|(at, _)| (at - slot + 1) as u64);
                 let left = (count as usize - slot) as u32;
-                let found = halfway.slots_to(axis, rooms, slot as i64, left, true);
+                let found = begin.slots_to(axis, rooms, slot as i64, left, true);
                 assert_eq!(found, expected, "{start:?} {mirrored} {slots} slot {slot} axis {axis}");
                 if now != 0 {
-                    assert_eq!(halfway.directions(true)[axis].sign(), now, "{start:?} {slot}");
+                    assert_eq!(begin.directions(slot as i64, true)[axis].sign(), now, "{start:?} {slot}");
                 }
             }
             assert_eq!(go(&mut halfway, slot as i64, 1, true), [*step], "{start:?} {mirrored} {slot}");
@@ -329,7 +301,6 @@ mod tests {
         let mut back = go(&mut round, count as i64, count as u32, false);
         back.reverse();
         assert!(back.iter().zip(&steps).all(|(back, step)| *back == step.map(|step| -step)));
-        assert_eq!((round.tick, round.point, round.place), (begin.tick, begin.point, begin.place));
     }
 
     #[test]
@@ -360,20 +331,16 @@ mod tests {
             let start = [x, (radius * radius - x * x).isqrt()];
             let begin = Round::new(start, number % 2 == 1, TURN, 0);
             assert_eq!(begin.way(), [0, 0]);
-            let mut round = begin;
             // Every piece begins at another angle; some at quarters and eighths of the turn.
-            let eighths = begin.ticks as i64 / 8;
-            round.tick =
+            let eighths = begin.places.ticks as i64 / 8;
+            let tick =
                 (number % 8) * eighths + (number * number * 1_234_567) % (eighths / (number % 3 + 1)) - 100;
-            round.place = round.place_of(round.tick);
-            round.point = round.circle.point(round.place);
-            let mut at = mirror(round.point, round.mirrored);
-            let slot = round.tick;
-            for step in go(&mut round, slot, 300, true) {
+            let mut at = mirror(begin.point_of(tick), begin.mirrored);
+            for step in go(&mut begin.clone(), tick, 300, true) {
                 at = [0, 1].map(|axis| at[axis] + step[axis]);
-                assert!(round.circle.is_near(at), "{start:?} {at:?}");
+                assert!(begin.circle.is_near(at), "{start:?} {at:?}");
             }
-            assert_eq!(mirror(at, round.mirrored), round.point);
+            assert_eq!(mirror(at, begin.mirrored), begin.point_of(tick + 300));
         }
     }
 }

@@ -3,9 +3,26 @@
 //! It steps in those slots in which its ideal position comes nearest to the next one (Bresenham's rule, in
 //! whole numbers).
 
+use super::window::{WINDOW, bits};
 use crate::speed::{MAX_SPEED, Speed};
 use crate::train::{Direction, MAX_SLOTS, Train};
 use core::hint::select_unpredictable;
+
+/// Parts of a window whose bits are found together.
+const PARTS: u32 = 4;
+
+/// In how many slots an axis steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Density {
+    /// It takes no part.
+    None,
+    /// Less than one in the length of a mask.
+    Few,
+    /// More.
+    Some,
+    /// All of them.
+    All,
+}
 
 /// What the axis does on the way.
 #[derive(Clone, Copy, Debug)]
@@ -14,21 +31,41 @@ pub struct Straight {
     way: u32,
     slots: u32,
     direction: Direction,
-    /// By how much the ideal position is beyond the middle between the last pulse and the one before, in parts
-    /// of a pulse: twice the slots. 0 to one less than a pulse.
+    density: Density,
+    /// The window that was looked at last: in which slots the axis steps.
+    window: i64,
+    mask: u64,
+    /// By how much the ideal position is, after it, beyond the middle between the last pulse and the one before,
+    /// in parts of a pulse: twice the slots. 0 to one less than a pulse.
     beyond: u64,
+    /// What a part of a window adds to that, without whole pulses.
+    part: u64,
+    /// The slot of the next pulse, where there are few.
+    next: i64,
 }
 
 impl Straight {
     /// A way that takes so many slots: as many as pulses, or more.
     pub fn new(way: i32, slots: u32) -> Self {
-        let direction = Direction::of(way.into());
-        Self { way: way.unsigned_abs(), slots, direction, beyond: slots.into() }
+        let (direction, way) = (Direction::of(way.into()), way.unsigned_abs());
+        let part = u64::from(way) * u64::from(2 * WINDOW / PARTS) % (2 * u64::from(slots.max(1)));
+        let density = match way {
+            0 => Density::None,
+            way if way == slots => Density::All,
+            way if way < slots / MAX_SLOTS => Density::Few,
+            _ => Density::Some,
+        };
+        // No window is known.
+        let new =
+            Self { way, slots, direction, density, window: i64::MIN, mask: 0, beyond: 0, part, next: 0 };
+        let next = if way == 0 { 0 } else { new.slot_of(1) };
+        Self { next, ..new }
     }
 
-    /// Whether the axis moves at all.
-    pub fn moves(&self) -> bool {
-        self.way != 0
+    /// In how many of the slots the axis steps.
+    #[inline]
+    pub fn density(&self) -> Density {
+        self.density
     }
 
     /// Which way, forward on the path or backward.
@@ -43,77 +80,107 @@ impl Straight {
         speed.min(MAX_SPEED.into()) as Speed
     }
 
-    /// A pulse, and what a slot adds to it.
+    /// Parts of a pulse: all of it, and what a slot adds.
     fn parts(&self) -> [u64; 2] {
         [self.slots, self.way].map(|parts| 2 * u64::from(parts))
     }
 
-    /// Slots of the path to this pulse of the axis, from 1; `None` if it takes no part.
-    pub fn slots_to(&self, pulse: u32, ahead: bool) -> Option<u64> {
-        let [whole, step] = self.parts();
-        let beyond = self.mirrored(ahead).beyond;
-        (step > 0).then(|| (u64::from(pulse) * whole - beyond).div_ceil(step))
+    /// The ideal position after a slot and half a pulse, in parts.
+    fn ideal(&self, slot: i64) -> i128 {
+        2 * i128::from(self.way) * i128::from(slot) + i128::from(self.slots)
     }
 
-    /// Backward on the path, the same rule holds from the other side.
-    fn mirrored(self, ahead: bool) -> Self {
-        let [whole, _] = self.parts();
-        let beyond = if ahead { self.beyond } else { whole - 1 - self.beyond };
-        Self { beyond, ..self }
+    /// Pulses made after a slot.
+    fn pulses(&self, slot: i64) -> i64 {
+        quotient(self.ideal(slot), 2 * i64::from(self.slots))
     }
 
-    /// The trains of the axis in a train of the path.
-    pub fn follow(&mut self, path: &Train, ahead: bool, mut emit: impl FnMut(&Train)) {
-        let train = Train { direction: self.direction(ahead), ..*path };
-        if self.way == 0 {
-            return;
+    /// The slot after which so many pulses are made.
+    fn slot_of(&self, pulse: i64) -> i64 {
+        let missing = i128::from(self.slots) * (2 * i128::from(pulse) - 1);
+        // Rounded up.
+        -quotient(-missing, 2 * i64::from(self.way))
+    }
+
+    /// Slots from `slot` to the one in which the axis has made so many more pulses; `None` if not in `count`.
+    pub fn slots_to(&self, room: i64, slot: i64, count: u32, ahead: bool) -> Option<u64> {
+        if self.density == Density::None || room <= 0 || room > count.into() {
+            return None;
         }
-        if self.way == self.slots {
-            return emit(&train);
-        }
-        *self = self.mirrored(ahead);
-        if self.way < self.slots / MAX_SLOTS {
-            self.follow_rarely(train, emit);
+        let now = self.pulses(slot);
+        Some(match ahead {
+            true => self.slot_of(now + room) - slot,
+            false => slot - self.slot_of(now - room + 1) + 1,
+        } as u64)
+    }
+
+    /// Pulses that are further apart than a mask is long, in a train of the path that begins after `slot`, one
+    /// by one.
+    pub fn follow(&mut self, path: &Train, slot: i64, ahead: bool, mut emit: impl FnMut(&Train)) {
+        let slots = i64::from(path.count);
+        if ahead {
+            while self.next <= slot + slots {
+                emit(&path.alone((self.next - slot) as u32));
+                self.next = self.slot_of(self.pulses(self.next) + 1);
+            }
         } else {
-            self.follow_often(train, emit);
-        }
-        *self = self.mirrored(ahead);
-    }
-
-    /// Pulses that are further apart than a mask is long, one by one.
-    fn follow_rarely(&mut self, train: Train, mut emit: impl FnMut(&Train)) {
-        let [whole, step] = self.parts();
-        let mut left = u64::from(train.count);
-        loop {
-            let slots = (whole - self.beyond).div_ceil(step);
-            if slots > left {
-                self.beyond += left * step;
-                break;
+            let end = slot - slots;
+            let mut pulse = self.pulses(slot);
+            self.next = self.slot_of(pulse + 1);
+            while self.slot_of(pulse) > end {
+                self.next = self.slot_of(pulse);
+                emit(&path.alone((slot + 1 - self.next) as u32));
+                pulse -= 1;
             }
-            left -= slots;
-            self.beyond = self.beyond + slots * step - whole;
-            emit(&train.alone(train.count - left as u32));
         }
     }
 
-    /// A mask for every few slots.
-    fn follow_often(&mut self, train: Train, mut emit: impl FnMut(&Train)) {
+    /// In which of some slots after `slot` it steps: 1 to 64, the first in the lowest bit.
+    #[inline]
+    pub fn mask(&mut self, slot: i64, count: u32, ahead: bool) -> u64 {
+        let [mask] = bits(slot, count, ahead, |window| [self.window(window)]);
+        mask
+    }
+
+    /// The bits of a window.
+    #[inline]
+    fn window(&mut self, window: i64) -> u64 {
+        if window != self.window {
+            self.look_at(window);
+        }
+        self.mask
+    }
+
+    fn look_at(&mut self, window: i64) {
         let [whole, step] = self.parts();
-        let mut beyond = self.beyond;
-        let mut rest = Some(train);
-        while let Some(train) = rest {
-            let slots;
-            (slots, rest) = train.first_slots();
-            let mut mask = 0;
-            for _ in 0..slots.count {
-                let missed = beyond < whole - step;
-                beyond = select_unpredictable(missed, beyond + step, beyond.wrapping_sub(whole - step));
-                mask = mask << 1 | u64::from(!missed);
-            }
-            if let Some(train) = slots.masked(mask.reverse_bits() >> (u64::BITS - slots.count)) {
-                emit(&train);
+        if window - 1 != self.window {
+            let ideal = self.ideal(window * i64::from(WINDOW));
+            self.beyond = ideal.rem_euclid(whole.into()) as u64;
+        }
+        // All parts at the same time, none of which waits for another.
+        let mut parts = [(self.beyond, 0); PARTS as usize];
+        for part in 1..parts.len() {
+            let next = parts[part - 1].0 + self.part;
+            parts[part].0 = if next < whole { next } else { next - whole };
+        }
+        for _ in 0..WINDOW / PARTS {
+            for (beyond, mask) in &mut parts {
+                let missed = *beyond < whole - step;
+                *beyond = select_unpredictable(missed, *beyond + step, beyond.wrapping_sub(whole - step));
+                *mask = *mask << 1 | u64::from(!missed);
             }
         }
-        self.beyond = beyond;
+        let mask = parts.iter().fold(0, |all, (_, mask)| all << (WINDOW / PARTS) | mask);
+        self.mask = mask.reverse_bits();
+        self.beyond = parts[parts.len() - 1].0;
+        self.window = window;
+    }
+}
+
+/// Rounded down; rarely by a division that takes long.
+fn quotient(value: i128, by: i64) -> i64 {
+    match i64::try_from(value) {
+        Ok(value) => value.div_euclid(by),
+        Err(_) => value.div_euclid(by.into()) as i64,
     }
 }
