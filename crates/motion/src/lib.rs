@@ -14,6 +14,7 @@ pub mod encoder;
 mod foot;
 pub mod homing;
 pub mod joystick;
+pub mod merge;
 pub mod path;
 pub mod plan;
 pub mod pps;

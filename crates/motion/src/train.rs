@@ -274,6 +274,13 @@ impl Train {
             for edge in edges {
                 *edge = all.slot();
             }
+        } else if count == self.count as usize && (self.add, self.jerk) == (0, 0) {
+            let mut mask = self.mask;
+            for edge in edges {
+                let slot = u64::from(mask.trailing_zeros()) + 1;
+                *edge = all.ticks + ((all.offset + slot * self.interval) >> FRACTION_BITS);
+                mask &= mask.wrapping_sub(1);
+            }
         } else if count == self.count as usize {
             // Every slot is written, over the one before if that was empty: no branch to mispredict.
             let (mut at, mut mask) = (0, self.mask);
@@ -320,6 +327,38 @@ pub struct Edges {
 }
 
 impl Edges {
+    /// No pulses.
+    pub(crate) const fn none() -> Self {
+        Self { ticks: 0, offset: 0, interval: 0, add: 0, jerk: 0, left: 0, mask: EVERY_SLOT }
+    }
+
+    /// Visits `next`, which is the pulse that was given out last, and those before `end`; the first one after.
+    #[inline]
+    pub(crate) fn until(&mut self, next: Ticks, end: Ticks, mut visit: impl FnMut(Ticks)) -> Option<Ticks> {
+        let (mut edges, mut next) = (self.clone(), Some(next));
+        if edges.mask == EVERY_SLOT {
+            // The same without a look at the mask.
+            let mut clock = next?;
+            while clock < end {
+                visit(clock);
+                if edges.left == 0 {
+                    next = None;
+                    break;
+                }
+                edges.left -= 1;
+                clock = edges.slot();
+                next = Some(clock);
+            }
+        } else {
+            while let Some(clock) = next.filter(|clock| *clock < end) {
+                visit(clock);
+                next = edges.next();
+            }
+        }
+        *self = edges;
+        next
+    }
+
     /// The clock of the next slot.
     #[inline]
     fn slot(&mut self) -> Ticks {
@@ -376,7 +415,11 @@ mod tests {
     fn trains() -> Vec<Train> {
         let masks =
             [1 << 63, 1 << 63 | 1, 0x5555_5555_5555_5555, u64::MAX - 1, 0xF0F0_0000_0000_1230, 1 << 20];
-        masks.iter().filter_map(|&mask| ramp().masked(mask)).chain([ramp()]).collect()
+        let even = Train { add: 0, jerk: 0, ..ramp() };
+        let both = [ramp(), even];
+        both.iter()
+            .flat_map(|train| masks.iter().filter_map(|&mask| train.masked(mask)).chain([*train]))
+            .collect()
     }
 
     #[test]
@@ -399,8 +442,8 @@ mod tests {
 
     #[test]
     fn a_mask_picks_slots() {
-        let slots: Vec<_> = ramp().edges().collect();
         for train in trains() {
+            let slots: Vec<_> = Train { count: 64, mask: EVERY_SLOT, ..train }.edges().collect();
             let mask = if train.mask == EVERY_SLOT { u64::MAX } else { train.mask };
             let picked = (0..64).filter(|bit| mask >> bit & 1 == 1).map(|bit| slots[bit]);
             assert!(train.edges().eq(picked), "{train:?}");
