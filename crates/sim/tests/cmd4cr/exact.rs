@@ -4,8 +4,9 @@
 use crate::rig::{HZ, Rig};
 use devices::{AxisState, Drive};
 use motion::{Ticks, Train};
-use sim::AxisConfig;
+use proptest::prelude::*;
 use sim::record::{Mark, RecordError, Recorder};
+use sim::{AxisConfig, PinValue};
 use std::sync::{Arc, Mutex};
 
 /// The pulses of all axes and the levels of all pins.
@@ -252,4 +253,94 @@ fn nothing_depends_on_the_pace() {
     assert!(whole.0.iter().all(|levels| levels.len() > 50));
     assert_eq!(whole, levels(7919));
     assert_eq!(whole, levels(104_729));
+}
+
+/// One call of a user.
+#[derive(Clone, Debug)]
+enum Call {
+    Say(String),
+    Pass(u64),
+    Push(&'static str, i64),
+    Lose(&'static str, u64),
+    Turn(&'static str, i64),
+    Pin(&'static str, bool),
+    Release(&'static str),
+    PowerCycle,
+}
+
+fn call() -> impl Strategy<Value = Call> {
+    let axis = || prop::sample::select(vec!["X", "Z"]);
+    let pin = || prop::sample::select(vec!["DI1", "IO1", "IO5", "SDX", "ALMX", "INPX", "ZX", "CSTA"]);
+    let say = (axis(), 0_usize..12, -3000_i32..3000).prop_map(|(axis, what, value)| {
+        Call::Say(match what {
+            0 | 1 => format!("{axis}{value}"),
+            2 => format!("SYNC{axis}={}", value.rem_euclid(16)),
+            3 => format!("SYNP{axis}={}", value / 10),
+            4 => format!("SYNO{axis}"),
+            5 => format!("{}{axis}", ["SYNF", "SYNWO", "SYNWF", "CLR"][value.rem_euclid(4) as usize]),
+            6 => format!("{}{axis}={value}", ["E", "P", "SYNMIN"][value.rem_euclid(3) as usize]),
+            7 => format!("POL{axis}={}", value.rem_euclid(128) << 10),
+            8 => format!("MPE{axis}={}", value & 1),
+            9 => format!("IOCFG={}", value & 17),
+            10 => format!("CIRXZP{value}:100"),
+            _ => format!("EO={}", value & 15),
+        })
+    });
+    prop_oneof![
+        6 => say,
+        4 => (0_u64..100_000).prop_map(Call::Pass),
+        1 => (axis(), -500_i64..500).prop_map(|(axis, way)| Call::Push(axis, way)),
+        1 => (axis(), 0_u64..300).prop_map(|(axis, pulses)| Call::Lose(axis, pulses)),
+        1 => (axis(), -99_i64..99).prop_map(|(axis, counts)| Call::Turn(axis, counts)),
+        1 => (pin(), any::<bool>()).prop_map(|(pin, on)| Call::Pin(pin, on)),
+        1 => pin().prop_map(Call::Release),
+        1 => Just(Call::PowerCycle),
+    ]
+}
+
+/// Pulses and levels of a session, looked at as often as `pace` says.
+fn session(calls: &[Call], pace: u64) -> (Vec<(usize, Ticks, i64)>, Vec<(Ticks, usize, i32)>) {
+    let mut config = sim::DeviceConfig::new(devices::model("cmd-4cr").unwrap());
+    let x = AxisConfig {
+        backlash: 5,
+        encoder_ratio: 1.5,
+        in_position_ms: Some(3),
+        slowdown: [Some([-900, -800]), Some([700, 800])],
+        ..config.axis("X")
+    };
+    let z = AxisConfig { mpg_from: Some(0), encoder_ratio: -2.0, mpg_hz: 3000, ..config.axis("Z") };
+    config.axes.extend([("X".into(), x), ("Z".into(), z)]);
+    let mut rig = Rig { device: sim::VirtualDevice::new(&config, 1) };
+    let log = Log::default();
+    rig.device.add_recorder(Box::new(log.clone()));
+    rig.ok("EO=15 HSPD=30000 ACC=20 SDEX=3 INPX=1 LTX=1");
+    for call in calls {
+        match call {
+            Call::Say(command) => drop(rig.say(command)),
+            Call::Pass(us) => {
+                let end = rig.device.now() + us * 20;
+                while rig.device.now() < end {
+                    rig.device.advance((rig.device.now() + pace).min(end));
+                }
+            }
+            Call::Push(axis, way) => rig.device.push(axis, *way).unwrap(),
+            Call::Lose(axis, pulses) => rig.device.lose(axis, *pulses).unwrap(),
+            Call::Turn(axis, counts) => rig.device.pulser(axis, *counts).unwrap(),
+            Call::Pin(pin, on) => drop(rig.device.drive_pin(pin, PinValue::Level(*on))),
+            Call::Release(pin) => rig.device.release_pin(pin).unwrap(),
+            Call::PowerCycle => rig.power_cycle(),
+        }
+    }
+    let mut events = std::mem::take(&mut *log.0.lock().unwrap());
+    // A train is told of when it is over; who looks often sees it in pieces.
+    events.pulses.sort_unstable();
+    (events.pulses, events.pins)
+}
+
+proptest! {
+    /// Whatever a user does, looking at it changes nothing.
+    #[test]
+    fn sessions_do_not_depend_on_the_pace(calls in prop::collection::vec(call(), 1..60), pace in 1000_u64..200_000) {
+        prop_assert_eq!(session(&calls, u64::MAX / 2), session(&calls, pace));
+    }
 }
