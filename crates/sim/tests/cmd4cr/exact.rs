@@ -144,7 +144,7 @@ fn outputs_change_with_the_pulse() {
             (8, Counter::Encoder(0.25)),
         ] {
             let ratio = if let Counter::Encoder(ratio) = counter { ratio } else { 1.0 };
-            let setting = format!("HSPD=50000 ACC=20 SYNCX={} SYNPX={position}", mode + source);
+            let setting = format!("HSPD=200000 ACC=10 SYNCX={} SYNPX={position}", mode + source);
             let (mut rig, log) = recorded(|axis| axis.encoder_ratio = ratio, &setting);
             rig.ok("SYNOX X2000");
             rig.pass_ms(200);
