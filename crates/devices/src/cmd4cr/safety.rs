@@ -191,7 +191,7 @@ impl<F: Flash> Cmd4cr<F> {
         let moving = self.is_moving(axis);
         let guard = &mut self.guards[axis];
         guard.latched = (guard.latched && latches || on) && self.memory.cells.at(Id::Slowdown, axis) != 0;
-        let slow = on || latches && guard.latched;
+        let slow = on || guard.latched;
         if core::mem::replace(&mut guard.slow, slow) == slow {
             return;
         }

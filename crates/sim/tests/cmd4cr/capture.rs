@@ -1,6 +1,7 @@
 //! Position latches and synchronisation outputs.
 
-use crate::rig::{AXES, HZ, Rig};
+use crate::controller::{AXES, HZ};
+use crate::rig::Rig;
 
 #[test]
 fn latches() {

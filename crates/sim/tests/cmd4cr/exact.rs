@@ -1,7 +1,8 @@
 //! What happens in the very clock of a pulse, as a recording sees it, and whatever the pace at which somebody
 //! looks: synchronisation outputs, and axes that follow an encoder.
 
-use crate::rig::{HZ, Rig};
+use crate::controller::HZ;
+use crate::rig::Rig;
 use devices::{AxisState, Drive};
 use motion::{Ticks, Train};
 use proptest::prelude::*;

@@ -1,6 +1,7 @@
 //! Axes that follow a joystick or a manual pulse generator, and motions that wait for the external start.
 
-use crate::rig::{AXES, Rig};
+use crate::controller::AXES;
+use crate::rig::Rig;
 
 fn with_joystick() -> Rig {
     let mut rig = Rig::new();

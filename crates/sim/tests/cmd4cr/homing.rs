@@ -1,6 +1,7 @@
 //! The homing modes of appendix A and `ZMOVE` on the machine. Their timing is held by snapshots in `motion`.
 
-use crate::rig::{AXES, Rig};
+use crate::controller::AXES;
+use crate::rig::Rig;
 use sim::AxisConfig;
 
 /// The modes that seek the home switch. The others seek the limit.

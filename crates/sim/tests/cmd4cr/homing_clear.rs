@@ -1,7 +1,8 @@
 //! The error clear output at the end of homing and at error stops (2.1.6.1 and appendix A).
 
+use crate::controller::HZ;
 use crate::homing::{rig, rig_with};
-use crate::rig::{HZ, Rig};
+use crate::rig::Rig;
 use devices::{AxisState, Drive};
 use motion::{Ticks, Train};
 use sim::record::{Mark, RecordError, Recorder};

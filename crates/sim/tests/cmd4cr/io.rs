@@ -1,6 +1,7 @@
 //! Inputs and outputs, motor power, polarities, encoders.
 
-use crate::rig::{AXES, Rig};
+use crate::controller::AXES;
+use crate::rig::Rig;
 use sim::PinValue;
 
 /// The factory's polarity word.

@@ -1,29 +1,8 @@
 //! Moves, jogs, stops, speeds, changes on the fly, status words.
 
-use crate::rig::{AXES, Rig};
-
-/// Milliseconds from the start until the speed no longer rises.
-fn rise(rig: &mut Rig) -> u64 {
-    (1..)
-        .find(|_| {
-            rig.pass_ms(1);
-            rig.get("MSTX") & 1 == 0
-        })
-        .unwrap_or(0)
-}
-
-/// Milliseconds of the ramp down to rest.
-fn fall(rig: &mut Rig) -> u64 {
-    while rig.get("MSTX") & 2 == 0 {
-        rig.pass_ms(1);
-    }
-    rig.until_rest()
-}
-
-#[track_caller]
-fn near(value: u64, expected: u64) {
-    assert!(value.abs_diff(expected) <= 2 + expected / 50, "{value}, expected {expected}");
-}
+use crate::ascii::ramps::{fall, near, rise};
+use crate::controller::AXES;
+use crate::rig::Rig;
 
 #[test]
 fn absolute_and_incremental_moves() {
@@ -141,26 +120,6 @@ fn accelerations_and_decelerations() {
     rig.ok("ABORT");
 }
 
-/// Rules 1 to 3 of section B.2.
-#[test]
-fn short_moves_are_symmetric() {
-    let mut rig = Rig::new();
-    // 200 ms and 600 ms from 1000 to 10,000 pps: 1,100 and 3,300 pulses.
-    rig.ok("HSPD=10000 LSPD=1000 ACC=200 DEC=600 X6700");
-    near(rise(&mut rig), 200);
-    near(fall(&mut rig), 600);
-    // The ramp down alone is longer than half the way.
-    rig.ok("X300");
-    near(rise(&mut rig), 200);
-    near(fall(&mut rig), 200);
-    // The ramp up alone is: a triangle with its top in the middle.
-    rig.ok("ACC=600 DEC=200 X4300");
-    let up = rise(&mut rig);
-    assert!((1990..=2310).contains(&(rig.get("PX") - 300)), "{}", rig.get("PX"));
-    near(fall(&mut rig), up);
-    rig.check("PX", "4300");
-}
-
 #[test]
 fn global_and_individual_speeds() {
     let mut rig = Rig::new();
@@ -198,30 +157,6 @@ fn speeds_are_read_while_moving() {
     rig.pass_ms(20);
     rig.check("PSX", "6553500");
     rig.ok("ABORT");
-}
-
-#[test]
-fn s_curves() {
-    let mut rig = Rig::new();
-    rig.check("SCVX", "0");
-    // How much of the gain in speed is made in the first quarter of the ramp.
-    let mut first = |command: &str| {
-        rig.ok(command);
-        rig.ok("HSPD=9000 LSPD=1000 ACC=400 JX+");
-        rig.pass_ms(100);
-        let gained = rig.get("PSX") - 1000;
-        rig.pass_ms(305);
-        rig.check("PSX", "9000");
-        rig.ok("ABORT");
-        gained
-    };
-    let straight = first("SCVX=0");
-    assert!((1950..=2050).contains(&straight), "{straight}");
-    // A quarter of the time is half of the bend: an eighth of the gain.
-    let curved = first("SCVX=1");
-    assert!((950..=1050).contains(&curved), "{curved}");
-    rig.run("X0");
-    rig.check("PX", "0");
 }
 
 #[test]

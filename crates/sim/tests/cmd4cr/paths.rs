@@ -1,6 +1,7 @@
 //! Interpolated moves: lines, circles, arcs, helices; and those of the buffer.
 
-use crate::rig::{AXES, Rig};
+use crate::controller::AXES;
+use crate::rig::Rig;
 
 /// Positions of all axes.
 fn at(rig: &mut Rig) -> [i32; 4] {

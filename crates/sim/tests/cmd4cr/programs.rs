@@ -1,6 +1,7 @@
 //! Standalone programs: control, errors, subroutines, variables, four threads, time.
 
-use crate::rig::{HZ, Rig};
+use crate::controller::HZ;
+use crate::rig::Rig;
 
 #[test]
 fn programs_are_controlled_by_the_host() {

@@ -1,6 +1,7 @@
 //! Framing, identity, identification numbers, and every command by its wire form.
 
-use crate::rig::{AXES, Rig};
+use crate::controller::AXES;
+use crate::rig::Rig;
 use devices::Port;
 
 #[test]

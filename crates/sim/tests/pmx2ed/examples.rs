@@ -1,6 +1,7 @@
 //! The eight programs of section 10.2 and what they do.
 
-use crate::rig::{MS, Rig};
+use crate::controller::MS;
+use crate::rig::Rig;
 
 macro_rules! example {
     ($name:literal) => {
@@ -29,7 +30,7 @@ fn turns(rig: &mut Rig, ms: u64) -> Vec<i32> {
 fn example_1_there_and_back() {
     let mut rig = Rig::new();
     rig.ok("EO=0");
-    rig.start(example!("there_and_back"));
+    rig.start(0, example!("there_and_back"));
     assert_eq!(turns(&mut rig, 2000), [1000, 0]);
     for (command, value) in
         [("HSPD", "20000"), ("LSPD", "1000"), ("ACC", "300"), ("EO", "1"), ("SASTAT0", "0")]
@@ -42,7 +43,7 @@ fn example_1_there_and_back() {
 #[test]
 fn example_2_endless_moves() {
     let mut rig = Rig::new();
-    rig.start(example!("endless_moves"));
+    rig.start(0, example!("endless_moves"));
     let turns = turns(&mut rig, 10_000);
     assert!(turns.len() > 20, "{turns:?}");
     assert!(turns.chunks_exact(2).all(|pair| pair == [1000, 0]), "{turns:?}");
@@ -52,7 +53,7 @@ fn example_2_endless_moves() {
 #[test]
 fn example_3_counted_moves() {
     let mut rig = Rig::new();
-    rig.start(example!("counted_moves"));
+    rig.start(0, example!("counted_moves"));
     let turns = turns(&mut rig, 10_000);
     // The first move leads to where the axis is.
     assert_eq!(turns.iter().filter(|&&turn| turn == 1000).count(), 10);
@@ -63,7 +64,7 @@ fn example_3_counted_moves() {
 #[test]
 fn example_4_moves_on_input() {
     let mut rig = Rig::new();
-    rig.start(example!("moves_on_input"));
+    rig.start(0, example!("moves_on_input"));
     assert_eq!(turns(&mut rig, 1000), []);
     rig.pin("DI1", true);
     assert!(turns(&mut rig, 3000).len() > 5);
@@ -77,7 +78,7 @@ fn example_4_moves_on_input() {
 #[test]
 fn example_5_step_on_edge() {
     let mut rig = Rig::new();
-    rig.start(example!("step_on_edge"));
+    rig.start(0, example!("step_on_edge"));
     // The first target is 0, where the axis is.
     for target in [0, 1000, 2000, 3000] {
         rig.pin("DI1", true);
@@ -92,7 +93,7 @@ fn example_5_step_on_edge() {
 #[test]
 fn example_6_positions_by_input() {
     let mut rig = Rig::with(|axis| axis.home = [-700, -600]);
-    rig.start(example!("positions_by_input"));
+    rig.start(0, example!("positions_by_input"));
     for (input, position) in [("DI1", 1000), ("DI2", 2000), ("DI3", 3000), ("DI1", 1000)] {
         rig.pin(input, true);
         rig.pass_ms(2000);

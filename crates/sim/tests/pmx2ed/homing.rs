@@ -73,7 +73,7 @@ fn homing_by_the_index() {
     let start = rig.device.now();
     assert_eq!(home(&mut rig, "ZX-"), (0, 0));
     // At low speed all the way: 400 pulses at 400 pps.
-    let ms = (rig.device.now() - start) / crate::rig::MS;
+    let ms = (rig.device.now() - start) / crate::controller::MS;
     assert!((990..=1010).contains(&ms), "{ms}");
 }
 

@@ -1,6 +1,7 @@
 //! Standalone programs: control, errors, subroutines, variables, time.
 
-use crate::rig::{MS, Rig};
+use crate::controller::MS;
+use crate::rig::Rig;
 
 #[test]
 fn programs_are_controlled_by_the_host() {
@@ -91,7 +92,7 @@ fn variables() {
     rig.check("V31", "0");
     rig.check("V32", "-1032");
     rig.check("V63", "-1063");
-    rig.start("V1=7\nV2=V1*-3\nV3=V2/2\nV4=V2%4\nV5=V1<<2\nV6=V2>>1\nV7=V5&12\nV8=V1|8\nV9=~V1\nV10=V1-V2\nV11=DI\nEND");
+    rig.start(0, "V1=7\nV2=V1*-3\nV3=V2/2\nV4=V2%4\nV5=V1<<2\nV6=V2>>1\nV7=V5&12\nV8=V1|8\nV9=~V1\nV10=V1-V2\nV11=DI\nEND");
     rig.pass_ms(10);
     let values: Vec<_> = (2..=11).map(|number| rig.get(&format!("V{number}"))).collect();
     assert_eq!(values[0], -21);
@@ -104,7 +105,7 @@ fn variables() {
 #[test]
 fn lines_take_their_time() {
     let mut rig = Rig::new();
-    rig.start("WHILE 1=1\nV1=V1+1\nENDWHILE\nEND");
+    rig.start(0, "WHILE 1=1\nV1=V1+1\nENDWHILE\nEND");
     let lines = rig.device.programs().map(|program| program.instructions).sum::<u64>();
     let start = rig.device.now();
     rig.pass_ms(100);
@@ -114,7 +115,7 @@ fn lines_take_their_time() {
     // Delays are milliseconds.
     rig.ok("SR0=0");
     let mut rig = Rig::new();
-    rig.start("DO1=1\nDELAY=250\nDO1=0\nEND");
+    rig.start(0, "DO1=1\nDELAY=250\nDO1=0\nEND");
     rig.pass_ms(1);
     assert!(rig.level("DO1"));
     rig.pass_ms(248);
@@ -181,21 +182,21 @@ fn errors_run_subroutine_31() {
     let limited = || Rig::with(|axis| axis.positive_limit = 1000);
     // Back to the line of the error: the wait, which is over then.
     let mut rig = limited();
-    rig.start(WITH_HANDLER);
+    rig.start(0, WITH_HANDLER);
     rig.pass_ms(3000);
     assert_eq!((rig.get("V1"), rig.get("V2"), rig.get("V3")), (1, 1, 1));
     assert_eq!((rig.get("PX"), rig.get("SASTAT0"), rig.get("MSTX") & 0x180), (0, 0, 0));
     // Back to the first line of the program.
     let mut rig = limited();
     rig.ok("SAP=1");
-    rig.start(WITH_HANDLER);
+    rig.start(0, WITH_HANDLER);
     rig.pass_ms(3000);
     assert!(rig.get("V1") > 1 && rig.get("V2") > 1);
     rig.check("V3", "0");
     rig.check("SASTAT0", "1");
     // Without the subroutine the program ends in an error.
     let mut rig = limited();
-    rig.start("HSPD=5000\nX9000\nWAITX\nDO=1\nEND");
+    rig.start(0, "HSPD=5000\nX9000\nWAITX\nDO=1\nEND");
     rig.pass_ms(3000);
     rig.check("SASTAT0", "4");
     rig.check("DO", "0");
@@ -211,7 +212,7 @@ fn errors_run_subroutine_31() {
 #[test]
 fn a_program_that_stops_itself_in_subroutine_31() {
     let mut rig = Rig::new();
-    rig.start("V2=1/V0\nV3=1\nEND\nSUB 31\nSR0=0\nDELAY=20\nDO=3\nENDSUB");
+    rig.start(0, "V2=1/V0\nV3=1\nEND\nSUB 31\nSR0=0\nDELAY=20\nDO=3\nENDSUB");
     rig.pass_ms(5);
     rig.check("SASTAT0", "1");
     rig.pass_ms(50);
@@ -221,7 +222,7 @@ fn a_program_that_stops_itself_in_subroutine_31() {
 #[test]
 fn division_by_zero_is_an_error_of_the_program() {
     let mut rig = Rig::new();
-    rig.start("V1=5/V2\nDO=1\nEND");
+    rig.start(0, "V1=5/V2\nDO=1\nEND");
     rig.pass_ms(10);
     rig.check("SASTAT0", "4");
     rig.check("DO", "0");
@@ -232,7 +233,7 @@ fn division_by_zero_is_an_error_of_the_program() {
 fn a_stall_is_an_error_of_the_program() {
     let mut rig = Rig::new();
     rig.ok("SLEX=50");
-    rig.start("SLX=1\nX5000\nWAITX\nEND\nSUB 31\nV1=SLSX\nECLEARX\nENDSUB");
+    rig.start(0, "SLX=1\nX5000\nWAITX\nEND\nSUB 31\nV1=SLSX\nECLEARX\nENDSUB");
     rig.pass_ms(500);
     rig.device.set_load("X", 2.0).unwrap();
     rig.pass_ms(500);
@@ -245,7 +246,7 @@ fn a_stall_is_an_error_of_the_program() {
 #[test]
 fn a_program_does_not_move_an_axis_twice() {
     let mut rig = Rig::new();
-    rig.start("X2000\nX3000\nWAITX\nDO=1\nEND");
+    rig.start(0, "X2000\nX3000\nWAITX\nDO=1\nEND");
     rig.pass_ms(5000);
     rig.check("PX", "2000");
     rig.check("DO", "1");
@@ -258,7 +259,7 @@ fn registers() {
     let mut rig = Rig::new();
     rig.pin("DI3", true);
     rig.analog("AI2", 1500.0);
-    rig.start(
+    rig.start(0,
         "HSPD=5000\nLSPD=200\nACC=111\nDEC=112\nHSPDX=5001\nLSPDY=201\nACCX=113\nDECY=114\nSCVX=1\nDO=3\nDO2=0\n\
          EO=2\nEO1=1\nPX=77\nEY=78\nSSPDMX=3\nTOC=60000\nSLY=1\nJOYHSX=1000\nJOYDELY=20\nJOYTOLX=30\nJOYNOX=-4\n\
          JOYNIX=-3\nJOYPIY=3\nJOYPOY=4\nV1=DI\nV2=DI3\nV3=AI2\nV4=PX\nV5=EY\nV6=MSTX&64\nV7=PSX\nV8=SLSY\nV9=ACCX\n\
@@ -320,7 +321,7 @@ fn statements() {
         for line in 0..30 {
             rig.ok(&format!("SA{line}="));
         }
-        rig.start(program);
+        rig.start(0, program);
         rig.pass_ms(ms);
         assert_ne!(rig.get("SASTAT0"), 4, "{program}");
         let (x, y) = (rig.get("PX"), rig.get("PY"));

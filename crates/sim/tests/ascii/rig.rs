@@ -1,11 +1,8 @@
 //! A controller on a bench, and short words for talking to it.
 
+use crate::controller::{AXES, CONTROL, DIALECT, HZ, MODEL};
 use devices::{Port, model};
-use motion::Ticks;
 use sim::{AxisConfig, DeviceConfig, PinValue, SharedFlash, VirtualDevice};
-
-/// Clocks of a millisecond.
-pub const MS: Ticks = 20_000;
 
 /// A controller with its machine.
 pub struct Rig {
@@ -18,16 +15,16 @@ impl Rig {
         Self::with(|_| ())
     }
 
-    /// With another machine on both axes.
+    /// With another machine on all axes.
     pub fn with(change: impl Fn(&mut AxisConfig)) -> Self {
         let mut config = config();
-        for name in ["X", "Y"] {
+        for name in AXES {
             let mut axis = config.axis(name);
             change(&mut axis);
             config.axes.insert(name.into(), axis);
         }
         let mut rig = Self { device: VirtualDevice::new(&config, 1) };
-        rig.ok("EO=3");
+        rig.motors(true);
         rig
     }
 
@@ -38,7 +35,12 @@ impl Rig {
 
     /// Lets device time pass.
     pub fn pass_ms(&mut self, ms: u64) {
-        let until = self.device.now() + ms * MS;
+        self.pass_us(1000 * ms);
+    }
+
+    /// Lets device time pass.
+    pub fn pass_us(&mut self, us: u64) {
+        let until = self.device.now() + us * HZ / 1_000_000;
         self.device.advance(until);
     }
 
@@ -81,11 +83,11 @@ impl Rig {
         self.get(&format!("MST{axis}")) & 7 != 0
     }
 
-    /// Lets time pass until both axes rest; the milliseconds it took.
+    /// Lets time pass until all axes rest; the milliseconds it took.
     #[track_caller]
     pub fn until_rest(&mut self) -> u64 {
         for ms in 0..600_000 {
-            if !self.moves("X") && !self.moves("Y") {
+            if AXES.iter().all(|axis| !self.moves(axis)) {
                 return ms;
             }
             self.pass_ms(1);
@@ -93,11 +95,18 @@ impl Rig {
         panic!("the axes do not come to rest");
     }
 
-    /// A motion command, and the milliseconds until both axes rest.
+    /// A motion command, and the milliseconds until all axes rest.
     #[track_caller]
     pub fn run(&mut self, command: &str) -> u64 {
         self.ok(command);
         self.until_rest()
+    }
+
+    /// Switches the motors of all axes on or off.
+    #[track_caller]
+    pub fn motors(&mut self, on: bool) {
+        let mask = if on { (1 << AXES.len()) - 1 } else { 0 };
+        self.ok(&format!("EO={mask}"));
     }
 
     /// Drives an input by hand.
@@ -120,7 +129,7 @@ impl Rig {
         self.device.shaft(axis).expect("an axis")
     }
 
-    /// Switches off and on again, then motors on.
+    /// Switches off and on again.
     pub fn power_cycle(&mut self) {
         self.device.power_cycle();
     }
@@ -128,21 +137,21 @@ impl Rig {
     /// Compiles a program and downloads it as a host does.
     #[track_caller]
     pub fn download(&mut self, source: &str) {
-        let compilation = ascript::compile("test.prg", source.as_bytes(), &ascript::dialect::PERFORMAX_2);
+        let compilation = ascript::compile("test.prg", source.as_bytes(), DIALECT);
         let code = compilation.code.as_ref().unwrap_or_else(|| panic!("{}", compilation.render(false)));
         for (number, line) in code.lines.iter().enumerate() {
             self.check(&format!("SA{number}={line}"), "OK");
         }
     }
 
-    /// Downloads a program and starts program 0.
+    /// Downloads a program and starts the one with this number.
     #[track_caller]
-    pub fn start(&mut self, source: &str) {
+    pub fn start(&mut self, number: u8, source: &str) {
         self.download(source);
-        self.ok("SR0=1");
+        self.ok(&format!("{CONTROL}{number}=1"));
     }
 }
 
 fn config() -> DeviceConfig {
-    DeviceConfig::new(model("pmx-2ed").expect("the model exists"))
+    DeviceConfig::new(model(MODEL).expect("the model exists"))
 }

@@ -1,0 +1,6 @@
+//! What the controllers with ASCII commands do alike, one test for all of them. Each includes this folder; what
+//! differs is in its `controller.rs`.
+
+mod closed_loop;
+pub mod ramps;
+pub mod rig;

@@ -1,0 +1,49 @@
+//! What the tests that both controllers share have to know of this one.
+
+use ascript::dialect::{COMMANDER, Dialect};
+use motion::Ticks;
+
+pub const MODEL: &str = "cmd-4cr";
+pub const DIALECT: &Dialect = &COMMANDER;
+pub const AXES: [&str; 4] = ["X", "Y", "Z", "U"];
+
+/// Clocks a second.
+pub const HZ: Ticks = 19_660_800;
+
+/// The command that controls a program.
+pub const CONTROL: &str = "SACTRL";
+
+/// Ramps down have a setting of their own.
+pub const USE_DECELERATION: &str = "";
+
+/// Clears an error of StepNLoop.
+pub const CLEAR_LOOP: &str = "CLRX";
+
+/// Ways to home, by the home switch, the index and a limit, and the status of StepNLoop meanwhile.
+pub const HOMING: &[(&str, i32)] = &[
+    ("HX+0", 6),
+    ("HX+1", 6),
+    ("HX+9", 6),
+    ("HX-2", 7),
+    ("HX-3", 7),
+    ("HX-4", 7),
+    ("HX-5", 7),
+    ("HX-10", 7),
+    ("HX-11", 7),
+    ("ZMOVEX+", 7),
+    ("HX-6", 13),
+    ("HX-7", 13),
+    ("HX-8", 13),
+    ("HX-12", 13),
+];
+
+/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop.
+pub const MOVING: &str = "?Error Moving";
+pub const STATE: &str = "?Error Moving";
+pub const VALUE: &str = "?Invalid Index";
+pub const LOOP_ERROR: &str = "?Error SNL";
+
+/// A line of X and Y.
+pub fn line(x: i32, y: i32) -> String {
+    format!("X{x}Y{y}")
+}

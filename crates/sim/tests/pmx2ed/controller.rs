@@ -1,0 +1,37 @@
+//! What the tests that both controllers share have to know of this one.
+
+use ascript::dialect::{Dialect, PERFORMAX_2};
+use motion::Ticks;
+
+pub const MODEL: &str = "pmx-2ed";
+pub const DIALECT: &Dialect = &PERFORMAX_2;
+pub const AXES: [&str; 2] = ["X", "Y"];
+
+/// Clocks a second.
+pub const HZ: Ticks = 20_000_000;
+
+/// Clocks of a millisecond.
+pub const MS: Ticks = HZ / 1000;
+
+/// The command that controls a program.
+pub const CONTROL: &str = "SR";
+
+/// Lets ramps down have a setting of their own.
+pub const USE_DECELERATION: &str = "EDEC=1";
+
+/// Clears an error of StepNLoop.
+pub const CLEAR_LOOP: &str = "CLRSX";
+
+/// Ways to home, and the status of StepNLoop meanwhile.
+pub const HOMING: &[(&str, i32)] = &[("HX+", 6), ("HLX+", 6), ("ZX+", 7), ("ZHX+", 7), ("LX+", 13)];
+
+/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop.
+pub const MOVING: &str = "?Moving";
+pub const STATE: &str = "?State Error";
+pub const VALUE: &str = "?Invalid Answer";
+pub const LOOP_ERROR: &str = "?Clear SNL Error";
+
+/// A line of X and Y.
+pub fn line(x: i32, y: i32) -> String {
+    format!("I{x}:{y}")
+}
