@@ -2,5 +2,7 @@
 //! differs is in its `controller.rs`.
 
 mod closed_loop;
+pub mod examples;
+pub mod joystick;
 pub mod ramps;
 pub mod rig;

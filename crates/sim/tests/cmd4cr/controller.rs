@@ -43,6 +43,28 @@ pub const STATE: &str = "?Error Moving";
 pub const VALUE: &str = "?Invalid Index";
 pub const LOOP_ERROR: &str = "?Error SNL";
 
+/// Joysticks: the voltage at one end, usual settings, and those of quick ones.
+pub const FULL_SCALE_MV: f64 = 3300.0;
+pub const JOYSTICKS: &str = "JSPDX=5000 JSPDY=4000 JDELX=100 JDELY=10 JTOLX=330 JTOLY=0";
+pub const QUICK_JOYSTICKS: &str = "JSPDX=5000 JSPDY=5000 JDELX=100 JDELY=100";
+
+/// What an axis that follows its joystick is refused, and how. Stops do not count (manual, 2.5.1.3).
+pub const WHILE_FOLLOWING: (&[&str], &str) =
+    (&["X100", "JX+", "HX-0", "X1Y1", "SLX=1", "STOPY", "ABORTX", "BO", "MPEX=1"], MOVING);
+
+/// The bits of the status: the positive limit, and its error.
+pub const POSITIVE_LIMIT: i32 = 0x110;
+
+/// The axes with a bit follow their joysticks.
+pub fn follow(mask: u8) -> String {
+    format!("JENA={mask}")
+}
+
+/// Sets a soft limit of the joysticks.
+pub fn soft_limit(place: u8, limit: i32) -> String {
+    format!("JLIM{place}={limit}")
+}
+
 /// A line of X and Y.
 pub fn line(x: i32, y: i32) -> String {
     format!("X{x}Y{y}")

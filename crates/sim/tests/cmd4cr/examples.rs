@@ -1,5 +1,6 @@
 //! The ten programs of section 5.4 and what they do.
 
+use crate::ascii::examples::{self, turns};
 use crate::rig::Rig;
 use devices::ProgramRun;
 
@@ -9,35 +10,9 @@ macro_rules! example {
     };
 }
 
-/// Where the X axis comes to rest in some time.
-fn turns(rig: &mut Rig, ms: u64) -> Vec<i32> {
-    let mut turns = Vec::new();
-    let mut moved = false;
-    // A program's lines are a tenth of a millisecond apart.
-    for _ in 0..20 * ms {
-        rig.pass_us(50);
-        let state = rig.device.axis(0);
-        let moving = state.speed_mpps != 0;
-        if moved && !moving {
-            turns.push(state.position);
-        }
-        moved = moving;
-    }
-    turns
-}
-
 #[test]
 fn example_1_there_and_back() {
-    let mut rig = Rig::new();
-    rig.ok("EO=0");
-    rig.start(0, example!("there_and_back"));
-    assert_eq!(turns(&mut rig, 2000), [1000, 0]);
-    for (command, value) in
-        [("HSPD", "20000"), ("LSPD", "1000"), ("ACC", "300"), ("EO", "1"), ("SASTAT0", "0")]
-    {
-        rig.check(command, value);
-    }
-    assert_eq!((rig.shaft("X"), rig.get("EX")), (0, 0));
+    examples::there_and_back(example!("there_and_back"));
 }
 
 /// Seven lines without a pause, each with the speed in force when it was added.
@@ -70,52 +45,22 @@ fn example_2_buffered_contour() {
 
 #[test]
 fn example_3_endless_moves() {
-    let mut rig = Rig::new();
-    rig.start(1, example!("endless_moves"));
-    let turns = turns(&mut rig, 10_000);
-    assert!(turns.len() > 20, "{turns:?}");
-    assert!(turns.chunks_exact(2).all(|pair| pair == [1000, 0]), "{turns:?}");
-    rig.check("SASTAT1", "1");
+    examples::endless_moves(1, example!("endless_moves"));
 }
 
 #[test]
 fn example_4_counted_moves() {
-    let mut rig = Rig::new();
-    rig.start(1, example!("counted_moves"));
-    let turns = turns(&mut rig, 10_000);
-    // The first move leads to where the axis is.
-    assert_eq!(turns.iter().filter(|&&turn| turn == 1000).count(), 10);
-    assert_eq!(turns.iter().filter(|&&turn| turn == 0).count(), 9);
-    assert_eq!((rig.get("V1"), rig.get("PX"), rig.get("SASTAT1")), (10, 1000, 0));
+    examples::counted_moves(1, example!("counted_moves"));
 }
 
 #[test]
 fn example_5_moves_on_input() {
-    let mut rig = Rig::new();
-    rig.start(2, example!("moves_on_input"));
-    assert_eq!(turns(&mut rig, 1000), []);
-    rig.pin("DI1", true);
-    assert!(turns(&mut rig, 3000).len() > 5);
-    rig.pin("DI1", false);
-    // It finishes its round.
-    turns(&mut rig, 2000);
-    assert_eq!(turns(&mut rig, 1000), []);
-    rig.check("PX", "1000");
+    examples::moves_on_input(2, example!("moves_on_input"));
 }
 
 #[test]
 fn example_6_step_on_edge() {
-    let mut rig = Rig::new();
-    rig.start(0, example!("step_on_edge"));
-    // The first target is 0, where the axis is.
-    for target in [0, 1000, 2000, 3000] {
-        rig.pin("DI1", true);
-        rig.pass_ms(1000);
-        rig.check("PX", &target.to_string());
-        rig.check("V1", &(target + 1000).to_string());
-        rig.pin("DI1", false);
-        rig.pass_ms(100);
-    }
+    examples::step_on_edge(example!("step_on_edge"));
 }
 
 #[test]
@@ -156,19 +101,7 @@ fn example_7_positions_by_input() {
 
 #[test]
 fn example_8_stop_by_input() {
-    let mut rig = Rig::new();
-    rig.start(1, example!("stop_by_input"));
-    assert!(turns(&mut rig, 5000).len() > 5);
-    rig.check("SASTAT0", "1");
-    rig.pin("DI1", true);
-    rig.pass_ms(10);
-    rig.check("SASTAT0", "0");
-    assert!(!rig.moves("X"));
-    rig.pass_ms(1000);
-    assert!(!rig.moves("X"));
-    rig.check("SASTAT1", "1");
-    rig.pin("DI1", false);
-    assert!(turns(&mut rig, 5000).len() > 5);
+    examples::stop_by_input(example!("stop_by_input"));
 }
 
 /// SUB 31 is quicker than program 1: it clears the alarm's bit before anybody reads it.

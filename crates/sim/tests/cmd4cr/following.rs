@@ -1,52 +1,8 @@
 //! Axes that follow a joystick or a manual pulse generator, and motions that wait for the external start.
 
+use crate::ascii::joystick::{speed, with_joystick};
 use crate::controller::AXES;
 use crate::rig::Rig;
-
-fn with_joystick() -> Rig {
-    let mut rig = Rig::new();
-    rig.ok("JSPDX=5000 JSPDY=4000 JDELX=100 JDELY=10 JTOLX=330 JTOLY=0");
-    rig
-}
-
-/// The speed of an axis in pulses a second, once it has settled.
-fn speed(rig: &mut Rig, input: &str, mv: f64) -> i64 {
-    rig.analog(input, mv);
-    rig.pass_ms(1000);
-    let axis = if input == "AI1" { 0 } else { 1 };
-    (rig.device.axis(axis).speed_mpps + 500).div_euclid(1000)
-}
-
-#[test]
-fn joystick_control() {
-    let mut rig = with_joystick();
-    rig.ok("JENA=3");
-    // Nothing moves in the zone of 330 mV around the middle.
-    for mv in [1650.0, 1320.0, 1980.0] {
-        assert_eq!(speed(&mut rig, "AI1", mv), 0, "{mv}");
-    }
-    assert_eq!(speed(&mut rig, "AI1", 3300.0), 5000);
-    assert_eq!(speed(&mut rig, "AI1", 2640.0), 2500);
-    assert_eq!(speed(&mut rig, "AI1", 660.0), -2500);
-    assert_eq!(speed(&mut rig, "AI1", 0.0), -5000);
-    assert_eq!(speed(&mut rig, "AI2", 2475.0), 2000);
-    assert_eq!(speed(&mut rig, "AI1", 1650.0), 0);
-    // The greatest change: 10 pps each millisecond.
-    rig.analog("AI2", 1650.0);
-    rig.pass_ms(1000);
-    rig.analog("AI2", 3300.0);
-    rig.pass_ms(100);
-    let after = rig.get("PSY");
-    assert!((980..=1020).contains(&after), "{after}");
-    // Motion commands have to wait, stops do not count (manual, 2.5.1.3), and StepNLoop stays off.
-    for refused in ["X100", "JX+", "HX-0", "X1Y1", "SLX=1", "STOPY", "ABORTX", "BO", "MPEX=1"] {
-        rig.check(refused, "?Error Moving");
-    }
-    assert!(rig.moves("Y"));
-    rig.ok("Z10 JENA=0");
-    rig.until_rest();
-    rig.ok("X100");
-}
 
 #[test]
 fn joysticks_of_some_axes() {
@@ -55,6 +11,7 @@ fn joysticks_of_some_axes() {
     rig.check("SLX", "1");
     rig.check("SLY", "0");
     rig.run("X100");
+    rig.run("Z10");
     rig.pass_ms(50);
     rig.check("Y100", "?Error Moving");
     rig.ok("JX+");
@@ -78,53 +35,6 @@ fn the_joysticks_voltages() {
     assert_eq!(speed(&mut rig, "AI1", 3250.0), -5000);
     assert_eq!(speed(&mut rig, "AI1", 0.0), 5000);
     assert_eq!(speed(&mut rig, "AI1", 1630.0), 0);
-}
-
-#[test]
-fn the_joysticks_soft_limits() {
-    for (axis, input, first, mask) in [("X", "AI1", 1, 1), ("Y", "AI2", 5, 2)] {
-        let mut rig = with_joystick();
-        for (place, limit) in (first..).zip([-3000, -1000, 1000, 3000]) {
-            rig.ok(&format!("JLIM{place}={limit}"));
-        }
-        rig.ok(&format!("JSPD{axis}=5000 JDEL{axis}=100 JENA={mask}"));
-        rig.analog(input, 3300.0);
-        // Beyond the inner limit the speed falls with the way that is left.
-        let mut slowed = false;
-        for _ in 0..5000 {
-            rig.pass_ms(1);
-            let (position, speed) = (rig.get(&format!("P{axis}")), rig.get(&format!("PS{axis}")));
-            if position > 1100 && position < 2900 {
-                let most = 5000 * (3000 - position) / 2000;
-                assert!(speed <= most + 50, "{speed} at {position}");
-                slowed = true;
-            }
-        }
-        assert!(slowed);
-        rig.check(&format!("P{axis}"), "3000");
-        rig.check(&format!("PS{axis}"), "0");
-        // The way in is free.
-        rig.analog(input, 0.0);
-        rig.pass_ms(5000);
-        rig.check(&format!("P{axis}"), "-3000");
-    }
-}
-
-#[test]
-fn a_joystick_runs_into_a_limit() {
-    let mut rig = Rig::with(|axis| axis.positive_limit = 500);
-    rig.ok("JSPDX=5000 JDELX=100 JENA=1");
-    rig.analog("AI1", 3300.0);
-    rig.pass_ms(2000);
-    rig.check("PX", "500");
-    assert_eq!(rig.get("MSTX") & 0x110, 0x110);
-    // It stands until the error is cleared.
-    rig.analog("AI1", 0.0);
-    rig.pass_ms(100);
-    rig.check("PX", "500");
-    rig.ok("CLRX");
-    rig.pass_ms(100);
-    assert!(rig.get("PX") < 450);
 }
 
 /// Turns the wheel and waits until all is done.

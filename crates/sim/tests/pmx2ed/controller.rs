@@ -31,6 +31,31 @@ pub const STATE: &str = "?State Error";
 pub const VALUE: &str = "?Invalid Answer";
 pub const LOOP_ERROR: &str = "?Clear SNL Error";
 
+/// Joysticks: the voltage at one end, usual settings, and those of quick ones.
+pub const FULL_SCALE_MV: f64 = 5000.0;
+pub const JOYSTICKS: &str = "JV1=5000 JV2=4000 JV3=100 JV4=10 JV5=500 JV6=0";
+pub const QUICK_JOYSTICKS: &str = "JV1=5000 JV2=5000 JV3=100 JV4=100";
+
+/// What an axis that follows its joystick is refused, and how.
+pub const WHILE_FOLLOWING: (&[&str], &str) = (&["X100", "JX+", "HX-", "I0:0", "SLX=1"], STATE);
+
+/// The bits of the status: the positive limit, and its error.
+pub const POSITIVE_LIMIT: i32 = 0x90;
+
+/// The axes with a bit follow their joysticks.
+pub fn follow(mask: u8) -> String {
+    match mask {
+        0 => "JF".into(),
+        3 => "JO".into(),
+        _ => format!("JO={mask}"),
+    }
+}
+
+/// Sets a soft limit of the joysticks.
+pub fn soft_limit(place: u8, limit: i32) -> String {
+    format!("JL{place}={limit}")
+}
+
 /// A line of X and Y.
 pub fn line(x: i32, y: i32) -> String {
     format!("I{x}:{y}")
