@@ -299,8 +299,11 @@ fn call() -> impl Strategy<Value = Call> {
     ]
 }
 
-/// Pulses and levels of a session, looked at as often as `pace` says.
-fn session(calls: &[Call], pace: u64) -> (Vec<(usize, Ticks, i64)>, Vec<(Ticks, usize, i32)>) {
+/// Trains of pulses of axes, and levels of pins.
+type Told = (Vec<(usize, Ticks, i64)>, Vec<(Ticks, usize, i32)>);
+
+/// What a session puts out, looked at as often as `pace` says.
+fn session(calls: &[Call], pace: u64) -> Told {
     let mut config = sim::DeviceConfig::new(devices::model("cmd-4cr").unwrap());
     let x = AxisConfig {
         backlash: 5,
