@@ -219,12 +219,12 @@ impl<const N: usize> Path<N> {
             };
             let mut masked = round.is_some();
             for (number, member) in straight.iter_mut().enumerate() {
-                let path = Train { direction: member.direction(ahead), ..*path };
+                let path = || Train { direction: member.direction(ahead), ..*path };
                 match member.density() {
                     Density::None => {}
-                    Density::Few => member.follow(&path, *slot, ahead, |train| pulses(number, train)),
+                    Density::Few => member.follow(&path(), *slot, ahead, |train| pulses(number, train)),
                     Density::Some => masked = true,
-                    Density::All => pulses(number, &path),
+                    Density::All => pulses(number, &path()),
                 }
             }
             let (mut at, mut rest) = (*slot, Some(*path).filter(|_| masked));

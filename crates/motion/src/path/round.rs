@@ -90,12 +90,26 @@ impl Round {
 
     /// Slots from `slot` to the first in which one of the axes (0 or 1) is so far below or above where it is
     /// now, or earlier; `None` if it does not get there in `count` slots.
+    #[inline]
     pub fn slots_to(&self, axis: usize, rooms: [i64; 2], slot: i64, count: u32, ahead: bool) -> Option<u64> {
-        // At or beyond an edge there is nothing more to wait for.
-        let [mut below, mut above] = rooms.map(|room| if room > 0 { room } else { i64::MAX });
-        if below.min(above) > count.into() {
+        // At or beyond an edge there is nothing more to wait for. Mostly there is more room than that.
+        let rooms = rooms.map(|room| if room > 0 { room } else { i64::MAX });
+        if rooms[0].min(rooms[1]) > count.into() {
             return None;
         }
+        self.slots_within(axis, rooms, slot, count, ahead)
+    }
+
+    /// The same with a look at the circle.
+    #[cold]
+    fn slots_within(
+        &self,
+        axis: usize,
+        [mut below, mut above]: [i64; 2],
+        slot: i64,
+        count: u32,
+        ahead: bool,
+    ) -> Option<u64> {
         if self.mirrored && axis == 1 {
             (below, above) = (above, below);
         }

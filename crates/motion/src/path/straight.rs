@@ -103,15 +103,22 @@ impl Straight {
     }
 
     /// Slots from `slot` to the one in which the axis has made so many more pulses; `None` if not in `count`.
+    #[inline]
     pub fn slots_to(&self, room: i64, slot: i64, count: u32, ahead: bool) -> Option<u64> {
-        if self.density == Density::None || room <= 0 || room > count.into() {
-            return None;
-        }
+        // Mostly there is more room than that.
+        let near = self.density != Density::None && room > 0 && room <= count.into();
+        near.then(|| self.slots_of(room, slot, ahead))
+    }
+
+    /// Slots in which it makes so many pulses.
+    #[cold]
+    fn slots_of(&self, pulses: i64, slot: i64, ahead: bool) -> u64 {
         let now = self.pulses(slot);
-        Some(match ahead {
-            true => self.slot_of(now + room) - slot,
-            false => slot - self.slot_of(now - room + 1) + 1,
-        } as u64)
+        if ahead {
+            (self.slot_of(now + pulses) - slot) as u64
+        } else {
+            (slot - self.slot_of(now - pulses + 1) + 1) as u64
+        }
     }
 
     /// Pulses that are further apart than a mask is long, in a train of the path that begins after `slot`, one
