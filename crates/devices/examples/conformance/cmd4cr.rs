@@ -1,10 +1,9 @@
 //! The page of the CMD-4CR.
 
-use crate::ascii::{form, row};
+use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED, form};
 use ascript::compiler::ErrorKind;
 use ascript::dialect::COMMANDER;
-use ascript::isa::{self, Word};
-use devices::ascii::Value;
+use ascript::isa::Word;
 use devices::cmd4cr::table::{AXES, COMMANDS};
 use motion::pps;
 use protocol::hid::ApiError;
@@ -16,9 +15,6 @@ Made from the controller's tables by `cargo xtask docs`; do not edit. Sections a
 CMD-4CR manual, version 1.0 (firmware V126BL). What the manual leaves open is settled in
 [decisions](cmd-4cr-decisions.md).
 ";
-
-/// A table of the manual: its title and its rows, with the test of each.
-type Rows = &'static [(&'static str, &'static str, &'static str)];
 
 /// The replies of table 4-41.
 const ERRORS: Rows = &[
@@ -204,25 +200,7 @@ const SECTION_2_2: &[(&str, Rows)] = &[
             ("more than SLA corrections", "attempt error", "corrections_that_do_not_help"),
         ],
     ),
-    (
-        "StepNLoop status (table 27)",
-        &[
-            ("0", "idle", "the_status_of_the_closed_loop"),
-            ("1", "moving", "the_status_of_the_closed_loop"),
-            ("2", "correcting", "a_slip_is_corrected"),
-            ("3", "stopping", "the_status_of_the_closed_loop"),
-            ("4", "aborting", "the_status_of_the_closed_loop"),
-            ("5", "jogging", "the_status_of_the_closed_loop"),
-            ("6", "homing", "the_status_of_the_closed_loop"),
-            ("7", "Z homing", "the_status_of_the_closed_loop"),
-            ("8", "range error", "the_status_of_the_closed_loop"),
-            ("9", "attempt error", "corrections_that_do_not_help"),
-            ("10", "stall error", "a_stall_is_an_error_until_it_is_cleared"),
-            ("11", "limit error", "the_status_of_the_closed_loop"),
-            ("12", "off", "the_status_of_the_closed_loop"),
-            ("13", "limit homing", "the_status_of_the_closed_loop"),
-        ],
-    ),
+    ("StepNLoop status (table 27)", LOOP_STATUS),
     (
         "Axis status (table 2-28)",
         &[
@@ -248,14 +226,7 @@ const SECTION_2_2: &[(&str, Rows)] = &[
             ("19", "waits for the external start", "external_start"),
         ],
     ),
-    (
-        "Units of speed (table 2-29)",
-        &[
-            ("StepNLoop off", "pulses a second", "speeds_are_read_while_moving"),
-            ("interpolated moves", "pulses a second", "closed_loop_moves_in_encoder_counts"),
-            ("StepNLoop on", "encoder counts a second", "closed_loop_moves_in_encoder_counts"),
-        ],
-    ),
+    ("Units of speed (table 2-29)", UNITS_OF_SPEED),
 ];
 
 const SECTION_2_7: &[(&str, Rows)] = &[
@@ -432,72 +403,32 @@ const fn effect(word: Word) -> &'static str {
 
 /// Every entry of the tables.
 pub fn page() -> String {
-    let mut page = HEAD.to_owned();
-    let mut line = |text: String| {
-        page.push_str(&text);
-        page.push('\n');
-    };
-    line("\n## Commands (table 4-40)\n".into());
-    line("| command | values | default | unit | stored | section | what it does | example | test |".into());
-    line("|---|---|---|---|---|---|---|---|---|".into());
-    for command in COMMANDS {
-        line(row(command, AXES));
-    }
-    line("\n## Errors (table 4-41)\n\n| reply | when | test |\n|---|---|---|".into());
-    for (reply, when, test) in ERRORS {
-        line(format!("| {reply} | {when} | `{test}` |"));
-    }
-    for (title, rows) in [SECTION_2_1, SECTION_2_2, SECTION_2_7, APPENDICES].into_iter().flatten() {
-        line(format!("\n## {title}\n\n| entry | meaning | test |\n|---|---|---|"));
-        for (entry, meaning, test) in *rows {
-            line(format!("| {entry} | {meaning} | `{test}` |"));
-        }
-    }
-    line(
-        "\n## Error codes of the HID library (table 3-37)\n\n| code | meaning | test |\n|---|---|---|".into(),
-    );
-    for error in ApiError::ALL {
-        line(format!("| {} | {error} | `codes` |", error.code()));
-    }
-    line("\n## Homing modes (appendix A)\n\n| entry | meaning | test |\n|---|---|---|".into());
-    homing_rows().into_iter().for_each(&mut line);
-    line("\n## Stored in flash (table 2-19)\n\n| item | test |\n|---|---|".into());
-    let stored = COMMANDS.iter().filter(|command| matches!(command.value, Value::Kept { stored: true, .. }));
-    let items = stored.map(|command| form(command, AXES)).chain(["ID".into(), "V[0-99]".into()]);
-    for item in items {
-        line(format!("| {item} | `every_item_of_table_2_19_is_stored` |"));
-    }
-    line("| program | `a_download_is_in_flash_at_once` |".into());
-    line("\n## Speed windows (table B-46)\n".into());
-    line("| window | high speed in pps | least low speed | shortest ramp in ms | δ | test |".into());
-    line("|---|---|---|---|---|---|".into());
-    for window in &pps::COMMANDER {
-        line(format!(
-            "| {} | {} to {} | {} | {} | {} | `ramps_have_the_ranges_of_the_manuals_examples` |",
-            window.number,
-            window.from_pps,
-            window.to_pps,
-            window.least_low_pps,
-            window.least_ms,
-            window.delta
-        ));
-    }
-    line("\n## Program statements (table 5-42)\n\nThe first test is that of the language, the second one that of the effect on the controller.\n".into());
-    line("| statement | section | what it does | example | test |\n|---|---|---|---|---|".into());
-    for entry in isa::TABLE.iter().filter(|entry| entry.access(COMMANDER.family).is_some()) {
-        line(format!(
-            "| {} | {} | {} | `{}` | `{}` `{}` |",
-            entry.form(&COMMANDER),
-            entry.section(COMMANDER.family),
-            entry.doc.summary,
-            entry.doc.example,
-            entry.doc.test,
-            effect(entry.word)
-        ));
-    }
-    line("\n## Errors of the compiler (table 5-43)\n\n| error | test |\n|---|---|".into());
-    for kind in ErrorKind::ALL {
-        line(format!("| {kind} | `errors_of_the_manual` |"));
-    }
-    page
+    let items =
+        ascii::stored(COMMANDS).map(|command| form(command, AXES)).chain(["ID".into(), "V[0-99]".into()]);
+    let mut stored: Vec<_> = items.map(|item| (item, "every_item_of_table_2_19_is_stored")).collect();
+    stored.push(("program".into(), "a_download_is_in_flash_at_once"));
+    let codes = ApiError::ALL.iter().map(|error| format!("| {} | {error} | `codes` |\n", error.code()));
+    let homing = homing_rows().into_iter().map(|row| row + "\n");
+    let kinds = ErrorKind::ALL.iter().map(|kind| format!("| {kind} | `errors_of_the_manual` |\n"));
+    let note =
+        "\nThe first test is that of the language, the second one that of the effect on the controller.\n";
+    [
+        HEAD.into(),
+        ascii::commands("table 4-40", COMMANDS, AXES),
+        ascii::errors("table 4-41", ERRORS),
+        ascii::tables([SECTION_2_1, SECTION_2_2, SECTION_2_7, APPENDICES].into_iter().flatten()),
+        "\n## Error codes of the HID library (table 3-37)\n\n| code | meaning | test |\n|---|---|---|\n"
+            .into(),
+        codes.collect(),
+        "\n## Homing modes (appendix A)\n\n| entry | meaning | test |\n|---|---|---|\n".into(),
+        homing.collect(),
+        ascii::in_flash("table 2-19", &stored),
+        ascii::windows("table B-46", &pps::COMMANDER),
+        ascii::statements("table 5-42", note, &COMMANDER, |entry| {
+            format!("`{}` `{}`", entry.doc.test, effect(entry.word))
+        }),
+        "\n## Errors of the compiler (table 5-43)\n\n| error | test |\n|---|---|\n".into(),
+        kinds.collect(),
+    ]
+    .concat()
 }

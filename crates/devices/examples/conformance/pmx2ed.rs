@@ -1,9 +1,7 @@
 //! The page of the PMX-2ED-SA.
 
-use crate::ascii::{form, row};
+use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED, form};
 use ascript::dialect::PERFORMAX_2;
-use ascript::isa;
-use devices::ascii::Value;
 use devices::pmx2ed::table::{AXES, COMMANDS, Id};
 use motion::pps::PERFORMAX;
 
@@ -16,7 +14,7 @@ PMX-2ED-SA manual, revision 1.18 (firmware V128BL). What the manual leaves open 
 ";
 
 /// The replies of table 9.1 and the one that its section 7.11 needs: when each is sent, and its test.
-const ERRORS: &[(&str, &str, &str)] = &[
+const ERRORS: Rows = &[
     ("?*command*", "the command is not known", "unknown_commands_are_repeated"),
     (
         "?ABS/INC is not in operation",
@@ -40,18 +38,8 @@ const ERRORS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// A table of the manual's section 7: its title and its rows, with the test of each.
-type Rows = &'static [(&'static str, &'static str, &'static str)];
-
 const TABLES: &[(&str, Rows)] = &[
-    (
-        "Units of speed (table 7.0)",
-        &[
-            ("StepNLoop off", "pulses a second", "speeds_are_read_while_moving"),
-            ("interpolated moves", "pulses a second", "closed_loop_moves_in_encoder_counts"),
-            ("StepNLoop on", "encoder counts a second", "closed_loop_moves_in_encoder_counts"),
-        ],
-    ),
+    ("Units of speed (table 7.0)", UNITS_OF_SPEED),
     ("Enable outputs (table 7.1)", &[("0", "EO1, X", "motor_power"), ("1", "EO2, Y", "motor_power")]),
     (
         "Motor status (table 7.2)",
@@ -114,25 +102,7 @@ const TABLES: &[(&str, Rows)] = &[
             ("SLA", "attempts: attempt error beyond them", "corrections_that_do_not_help"),
         ],
     ),
-    (
-        "StepNLoop status (table 7.9)",
-        &[
-            ("0", "idle", "the_status_of_the_closed_loop"),
-            ("1", "moving", "the_status_of_the_closed_loop"),
-            ("2", "correcting", "a_slip_is_corrected"),
-            ("3", "stopping", "the_status_of_the_closed_loop"),
-            ("4", "aborting", "the_status_of_the_closed_loop"),
-            ("5", "jogging", "the_status_of_the_closed_loop"),
-            ("6", "homing", "the_status_of_the_closed_loop"),
-            ("7", "Z homing", "the_status_of_the_closed_loop"),
-            ("8", "range error", "the_status_of_the_closed_loop"),
-            ("9", "attempt error", "corrections_that_do_not_help"),
-            ("10", "stall error", "a_stall_is_an_error_until_it_is_cleared"),
-            ("11", "limit error", "the_status_of_the_closed_loop"),
-            ("12", "off", "the_status_of_the_closed_loop"),
-            ("13", "limit homing", "the_status_of_the_closed_loop"),
-        ],
-    ),
+    ("StepNLoop status (table 7.9)", LOOP_STATUS),
     (
         "Program control and status (tables 7.11 and 7.12)",
         &[
@@ -192,65 +162,25 @@ const TABLES: &[(&str, Rows)] = &[
 
 /// Every entry of the tables.
 pub fn page() -> String {
-    let mut page = HEAD.to_owned();
-    let mut line = |text: String| {
-        page.push_str(&text);
-        page.push('\n');
-    };
-    line("\n## Commands (table 9.0)\n".into());
-    line("| command | values | default | unit | stored | section | what it does | example | test |".into());
-    line("|---|---|---|---|---|---|---|---|---|".into());
-    for command in COMMANDS {
-        line(row(command, AXES));
-    }
-    line("\n## Errors (table 9.1)\n\n| reply | when | test |\n|---|---|---|".into());
-    for (reply, when, test) in ERRORS {
-        line(format!("| {reply} | {when} | `{test}` |"));
-    }
-    for (title, rows) in TABLES {
-        line(format!("\n## {title}\n\n| entry | meaning | test |\n|---|---|---|"));
-        for (entry, meaning, test) in *rows {
-            line(format!("| {entry} | {meaning} | `{test}` |"));
-        }
-    }
-    line("\n## Stored in flash (table 7.15)\n\n| item | test |\n|---|---|".into());
-    let stored = COMMANDS.iter().filter(|command| matches!(command.value, Value::Kept { stored: true, .. }));
-    for command in stored {
-        let test = if command.id == Id::JoystickMask {
-            "the_joystick_mask_is_stored"
-        } else {
-            "every_item_of_table_7_15_is_stored"
-        };
-        line(format!("| {} | `{test}` |", form(command, AXES)));
-    }
-    line("| DN | `every_item_of_table_7_15_is_stored` |".into());
-    line("| V32 to V63 | `variables` |".into());
-    line("| program | `a_download_is_in_flash_at_once` |".into());
-    line("\n## Speed windows (table A.0)\n".into());
-    line("| window | high speed in pps | least low speed | shortest ramp in ms | δ | test |".into());
-    line("|---|---|---|---|---|---|".into());
-    for window in &PERFORMAX {
-        line(format!(
-            "| {} | {} to {} | {} | {} | {} | `ramps_have_the_ranges_of_the_manuals_examples` |",
-            window.number,
-            window.from_pps,
-            window.to_pps,
-            window.least_low_pps,
-            window.least_ms,
-            window.delta
-        ));
-    }
-    line("\n## Program statements (table 10.0)\n".into());
-    line("| statement | section | what it does | example | test |\n|---|---|---|---|---|".into());
-    for entry in isa::TABLE.iter().filter(|entry| entry.access(PERFORMAX_2.family).is_some()) {
-        line(format!(
-            "| {} | {} | {} | `{}` | `{}` |",
-            entry.form(&PERFORMAX_2),
-            entry.section(PERFORMAX_2.family),
-            entry.doc.summary,
-            entry.doc.example,
-            entry.doc.test
-        ));
-    }
-    page
+    let mut stored: Vec<_> = ascii::stored(COMMANDS)
+        .map(|command| match command.id {
+            Id::JoystickMask => (form(command, AXES), "the_joystick_mask_is_stored"),
+            _ => (form(command, AXES), "every_item_of_table_7_15_is_stored"),
+        })
+        .collect();
+    stored.extend([
+        ("DN".into(), "every_item_of_table_7_15_is_stored"),
+        ("V32 to V63".into(), "variables"),
+        ("program".into(), "a_download_is_in_flash_at_once"),
+    ]);
+    [
+        HEAD.into(),
+        ascii::commands("table 9.0", COMMANDS, AXES),
+        ascii::errors("table 9.1", ERRORS),
+        ascii::tables(TABLES),
+        ascii::in_flash("table 7.15", &stored),
+        ascii::windows("table A.0", &PERFORMAX),
+        ascii::statements("table 10.0", "", &PERFORMAX_2, |entry| format!("`{}`", entry.doc.test)),
+    ]
+    .concat()
 }

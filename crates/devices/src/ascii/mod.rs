@@ -4,7 +4,7 @@
 //! - [`mod@parse`]: from a line to the entry that it means, with its axis, index, targets and value.
 //! - [`cells`]: the numbers that commands remember; [`memory`]: they, programs and variables in flash.
 //! - [`station`]: what an axis was told to do; [`encoder`]: its counter; [`speeds`]: how fast it goes.
-//! - [`ports`]: whose commands are for the device; [`threads`]: the standalone programs in time; [`clock`]: how time passes in a device.
+//! - [`ports`]: whose commands are for the device; [`reply`]: parts of replies; [`threads`]: the standalone programs in time; [`clock`]: how time passes in a device.
 
 pub mod cells;
 pub mod clock;
@@ -13,6 +13,7 @@ pub mod encoder;
 pub mod memory;
 pub mod parse;
 pub mod ports;
+pub mod reply;
 pub mod speeds;
 pub mod station;
 pub mod threads;

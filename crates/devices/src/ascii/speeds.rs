@@ -1,8 +1,9 @@
 //! From the settings `HSPD`, `LSPD`, `ACC`, `DEC`, `SSPDM` and `SCV` to the limits of a motion (PMX-2ED-SA
 //! manual, 7.1 and appendix A; CMD-4CR manual, 2.1.4 and appendix B).
 
-use motion::Limits;
 use motion::pps::{self, Profile, Window};
+use motion::speed::{MAX_GROWTH, MAX_SPEED, Scale, Speed};
+use motion::{Limits, Shape};
 
 /// The speeds that a family can have.
 #[derive(Clone, Copy, Debug)]
@@ -69,17 +70,14 @@ pub fn changed(limits: Limits, high_pps: u32, clock_hz: u32) -> Limits {
     Limits { top, start: limits.start.min(top), stop: limits.stop.min(top), ..limits }
 }
 
+/// Limits without ramps: a motion has this speed from its first pulse to its last.
+pub const fn constant(speed: Speed, scale: Scale) -> Limits {
+    let shape = Shape::Trapezoid;
+    Limits { scale, top: speed, start: speed, stop: speed, growth: MAX_GROWTH, fall: MAX_GROWTH, shape }
+}
+
 /// Limits under which an axis takes every speed at once, up to this one: whoever gives the speeds makes the
 /// ramp.
 pub fn at_once(fastest_pps: u32, clock_hz: u32) -> Limits {
-    use motion::speed::{MAX_GROWTH, MAX_SPEED};
-    Limits {
-        scale: pps::scale(fastest_pps.max(1), clock_hz),
-        top: MAX_SPEED,
-        start: MAX_SPEED,
-        stop: MAX_SPEED,
-        growth: MAX_GROWTH,
-        fall: MAX_GROWTH,
-        shape: motion::Shape::Trapezoid,
-    }
+    constant(MAX_SPEED, pps::scale(fastest_pps.max(1), clock_hz))
 }

@@ -98,6 +98,15 @@ impl Station {
         !matches!(status, closed_loop::Status::Idle | closed_loop::Status::Off) && !status.is_error()
     }
 
+    /// StepNLoop on, from where the encoder is, or off.
+    pub fn switch_loop(&mut self, on: bool, axis: &Axis, decoder: i32) {
+        if on {
+            self.closed.enable(axis, self.encoder.position(decoder));
+        } else {
+            self.closed.disable();
+        }
+    }
+
     /// Sets the encoder counter; the target of StepNLoop goes along.
     pub fn set_encoder(&mut self, position: i32, decoder: i32) {
         self.closed.shift(position.wrapping_sub(self.encoder.position(decoder)));

@@ -242,6 +242,28 @@ impl<const N: usize> Threads<N> {
         timed.next_at = timed.next_at.max(parts);
     }
 
+    /// What a program is told: 0 stop, 1 start, 2 pause, 3 continue. One that runs is not started again.
+    /// False if there is no such program to start.
+    pub fn control<const LINES: usize, const VARIABLES: usize>(
+        &mut self,
+        number: usize,
+        control: i32,
+        memory: &Memory<LINES, VARIABLES>,
+        now: Ticks,
+    ) -> bool {
+        match control {
+            0 => self.stop(number),
+            1 if self.state(number) == State::Running => {}
+            1 => match memory.program(number as u8) {
+                Some(line) => self.start(number, line, now),
+                None => return false,
+            },
+            2 => self.pause(number),
+            _ => self.resume(number, now),
+        }
+        true
+    }
+
     /// What a thread is doing.
     pub fn state(&self, number: usize) -> State {
         self.threads[number].thread.state()

@@ -7,14 +7,11 @@ use super::refusal::Refusal;
 use super::table::{AXIS_COUNT, Id, MAX_SPEED_PPS, POSITIONS};
 use super::{Cmd4cr, HZ};
 use crate::ascii::clock::Clocked as _;
+use crate::ascii::speeds;
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::path::Move;
-use ::motion::speed::MAX_GROWTH;
-use ::motion::{
-    Limits, Shape,
-    pps::{self, COMMANDER},
-};
+use ::motion::pps::{self, COMMANDER};
 use heapless::Deque;
 
 /// Registers of the buffer.
@@ -236,17 +233,8 @@ impl<F: Flash> Cmd4cr<F> {
         let from: [i32; AXIS_COUNT] = core::array::from_fn(|axis| self.axes[axis].position());
         let speed_pps = pps::window(&COMMANDER, entry.speed_pps).stepped(entry.speed_pps);
         let scale = pps::scale(speed_pps, HZ);
-        let speed = pps::speed(speed_pps, scale, HZ);
-        // Constant speed: there are no ramps to join, and a stop is one at once.
-        let limits = Limits {
-            scale,
-            top: speed,
-            start: speed,
-            stop: speed,
-            growth: MAX_GROWTH,
-            fall: MAX_GROWTH,
-            shape: Shape::Trapezoid,
-        };
+        // There are no ramps to join, and a stop is one at once.
+        let limits = speeds::constant(pps::speed(speed_pps, scale, HZ), scale);
         match entry.shape {
             Shapes::Line(targets) => {
                 let ways = core::array::from_fn(|axis| targets[axis].wrapping_sub(from[axis]));

@@ -5,12 +5,12 @@ use super::motion::Motion;
 use super::path::Curve;
 use super::refusal::Refusal;
 use super::table::{AXES, AXIS_COUNT, COMMANDS, Id};
+use crate::ascii::reply::{list, number, say};
 use crate::ascii::station::Halt;
 use crate::ascii::{Parsed, Value, parse};
 use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::path::End;
-use core::fmt::Write;
 use protocol::performax::{MAX_REPLY, Reply};
 
 /// The longest echo of a command that is not known.
@@ -67,13 +67,7 @@ impl<F: Flash> Cmd4cr<F> {
                 let line = self.memory.program.line(number as u16).unwrap_or(ascript::line::Line::Empty);
                 say(reply, format_args!("{line}"));
             }
-            (_, place) => match line.command.value {
-                Value::Kept { decimals: 3, .. } => {
-                    let value = self.read(id, place, board);
-                    say(reply, format_args!("{}.{:03}", value / 1000, value % 1000));
-                }
-                _ => say(reply, format_args!("{}", self.read(id, place, board))),
-            },
+            (_, place) => number(reply, line.command.value, self.read(id, place, board)),
         }
     }
 
@@ -102,13 +96,13 @@ impl<F: Flash> Cmd4cr<F> {
             Id::LatchStatus => self.latch_status(axis),
             Id::LatchedEncoder => self.latched_encoder(axis),
             Id::LatchedPosition => self.latched_position(axis),
-            Id::LoopStatus => self.loop_status(axis),
+            Id::LoopStatus => self.stations[axis].closed.status() as i32,
             Id::MoveMode => self.incremental.into(),
             Id::Outputs | Id::Output => self.outputs(place),
             Id::Ports | Id::Port => self.ports(place),
             Id::Position => self.position(axis),
-            Id::ProgramCounter => self.program_counter(axis),
-            Id::ProgramStatus => self.program_status(axis),
+            Id::ProgramCounter => self.programs.counter(axis).into(),
+            Id::ProgramStatus => self.programs.state(axis) as i32,
             Id::PulseSpeed => self.speed(axis),
             Id::Pulser => self.pulser_position(axis),
             Id::RunsOnBoot => self.memory.cells.get(Id::RunOnBoot) >> axis & 1,
@@ -255,17 +249,5 @@ impl<F: Flash> Cmd4cr<F> {
         if self.memory.store().is_err() {
             self.die();
         }
-    }
-}
-
-/// Adds to a reply; all of them are far shorter than there is room for.
-fn say(reply: &mut Reply, text: core::fmt::Arguments<'_>) {
-    assert!(reply.write_fmt(text).is_ok(), "replies fit");
-}
-
-/// Numbers with `:` between.
-fn list<N: core::fmt::Display>(reply: &mut Reply, numbers: impl Iterator<Item = N>) {
-    for (place, number) in numbers.enumerate() {
-        say(reply, format_args!("{}{number}", if place == 0 { "" } else { ":" }));
     }
 }

@@ -49,11 +49,6 @@ impl<F: Flash> Cmd4cr<F> {
         pulses.filter(|pulses| POSITIONS.contains(pulses)).ok_or(Refusal::Index)
     }
 
-    /// `SLS`.
-    pub fn loop_status(&self, axis: usize) -> i32 {
-        self.stations[axis].closed.status() as i32
-    }
-
     /// `SL`: StepNLoop on or off. It does not go together with the joystick, a manual pulse generator or, for
     /// the axes that it moves, the buffer.
     pub fn switch_loop(&mut self, axis: usize, on: bool, board: &mut dyn Board) -> Result<(), Refusal> {
@@ -64,13 +59,7 @@ impl<F: Flash> Cmd4cr<F> {
             return Err(Refusal::BufferEnabled);
         }
         self.memory.cells.set_at(Id::Loop, axis, on.into());
-        let encoder = self.encoder(axis, board);
-        let closed = &mut self.stations[axis].closed;
-        if on {
-            closed.enable(&self.axes[axis], encoder)
-        } else {
-            closed.disable()
-        }
+        self.stations[axis].switch_loop(on, &self.axes[axis], board.encoder(axis));
         Ok(())
     }
 
@@ -80,8 +69,7 @@ impl<F: Flash> Cmd4cr<F> {
             if self.joystick_on(axis) || self.pulser_on(axis) {
                 self.begin_to_follow(axis);
             } else if self.memory.cells.at(Id::Loop, axis) != 0 {
-                let encoder = self.encoder(axis, board);
-                self.stations[axis].closed.enable(&self.axes[axis], encoder);
+                self.stations[axis].switch_loop(true, &self.axes[axis], board.encoder(axis));
             }
         }
     }

@@ -144,18 +144,11 @@ impl<F: Flash> Cmd4cr<F> {
     /// `SACTRL`, `SR`: 0 stop, 1 start, 2 pause, 3 continue. A program in its error state has to be stopped
     /// first.
     pub fn control_program(&mut self, number: usize, control: i32) -> Result<(), Refusal> {
-        match (control, self.programs.state(number)) {
-            (0, _) => self.programs.stop(number),
-            (_, State::Error) => return Err(Refusal::Program),
-            (1, State::Running) => {}
-            (1, _) => {
-                let line = self.memory.program.program(number as u8).ok_or(Refusal::Program)?;
-                self.programs.start(number, line, self.now);
-            }
-            (2, _) => self.programs.pause(number),
-            _ => self.programs.resume(number, self.now),
+        if control != 0 && self.programs.state(number) == State::Error {
+            return Err(Refusal::Program);
         }
-        Ok(())
+        let known = self.programs.control(number, control, &self.memory.program, self.now);
+        if known { Ok(()) } else { Err(Refusal::Program) }
     }
 
     /// `GS`: a subroutine by itself.
@@ -184,16 +177,6 @@ impl<F: Flash> Cmd4cr<F> {
             self.die();
         }
         Ok(())
-    }
-
-    /// `SASTAT`.
-    pub fn program_status(&self, number: usize) -> i32 {
-        self.programs.state(number) as i32
-    }
-
-    /// `SPC`.
-    pub fn program_counter(&self, number: usize) -> i32 {
-        self.programs.counter(number).into()
     }
 }
 

@@ -3,11 +3,11 @@
 use super::refusal::Refusal;
 use super::table::Id;
 use super::{Cmd4cr, polarity};
+use crate::ascii::speeds;
 use crate::ascii::station::{Task, side};
 use crate::flash::Flash;
 use ::motion::pulser::{self, Gear};
-use ::motion::speed::MAX_GROWTH;
-use ::motion::{Direction, Goal, Limits, Shape};
+use ::motion::{Direction, Goal};
 
 /// The generator of an axis.
 #[derive(Debug)]
@@ -83,15 +83,7 @@ impl<F: Flash> Cmd4cr<F> {
         let limits = self.limits(axis);
         let speed = if self.guards[axis].slow { limits.start } else { limits.top };
         let unit = &mut self.axes[axis];
-        unit.set_limits(Limits {
-            top: speed,
-            start: speed,
-            stop: speed,
-            growth: MAX_GROWTH,
-            fall: MAX_GROWTH,
-            shape: Shape::Trapezoid,
-            ..limits
-        });
+        unit.set_limits(speeds::constant(speed, limits.scale));
         let from = match unit.goal() {
             Goal::Position(target) if unit.is_moving() => target,
             _ => unit.position(),

@@ -3,11 +3,11 @@
 use super::refusal::Refusal;
 use super::table::{AXES, AXIS_COUNT, COMMANDS, Id};
 use super::{NAME, Pmx2ed, joystick, polarity};
+use crate::ascii::reply::{list, number, say};
 use crate::ascii::station::Halt;
 use crate::ascii::{Parsed, Value, parse};
 use crate::board::Board;
 use crate::flash::Flash;
-use core::fmt::Write;
 use protocol::performax::{MAX_REPLY, Reply};
 
 /// The greatest zero tolerance of the joystick, in mV.
@@ -54,23 +54,12 @@ impl<F: Flash> Pmx2ed<F> {
                 // There is no buffered move.
                 say(reply, format_args!("0:{}", i32::from(self.incremental)));
             }
-            (Id::PulseSpeed, None) => {
-                for axis in 0..AXIS_COUNT {
-                    let colon = if axis == 0 { "" } else { ":" };
-                    say(reply, format_args!("{colon}{}", self.speed(axis)));
-                }
-            }
+            (Id::PulseSpeed, None) => list(reply, (0..AXIS_COUNT).map(|axis| self.speed(axis))),
             (Id::ProgramLine, Some(number)) => {
                 let line = self.memory.program.line(number as u16).unwrap_or(ascript::line::Line::Empty);
                 say(reply, format_args!("{line}"));
             }
-            (_, place) => match line.command.value {
-                Value::Kept { decimals: 3, .. } => {
-                    let value = self.read(id, place, board);
-                    say(reply, format_args!("{}.{:03}", value / 1000, value % 1000));
-                }
-                _ => say(reply, format_args!("{}", self.read(id, place, board))),
-            },
+            (_, place) => number(reply, line.command.value, self.read(id, place, board)),
         }
     }
 
@@ -108,11 +97,11 @@ impl<F: Flash> Pmx2ed<F> {
             Id::PulseSpeed => self.speed(axis),
             Id::Delta => self.delta(axis, board),
             Id::Status => self.status(axis, board),
-            Id::LoopStatus => self.loop_status(axis),
+            Id::LoopStatus => self.stations[axis].closed.status() as i32,
             Id::MoveMode => self.incremental.into(),
             Id::ReturnRule => i32::from(self.polarity(0) & polarity::RESTART != 0),
-            Id::ProgramStatus => self.program_status(axis),
-            Id::ProgramCounter => self.program_counter(axis),
+            Id::ProgramStatus => self.programs.state(axis) as i32,
+            Id::ProgramCounter => self.programs.counter(axis).into(),
             Id::Variable => self.memory.program.variable(axis as u8).unwrap_or(0),
             _ => match place {
                 Some(place) => self.memory.cells.at(id, place),
@@ -219,9 +208,4 @@ impl<F: Flash> Pmx2ed<F> {
             self.die();
         }
     }
-}
-
-/// Adds to a reply; all of them are far shorter than there is room for.
-fn say(reply: &mut Reply, text: core::fmt::Arguments<'_>) {
-    assert!(reply.write_fmt(text).is_ok(), "replies fit");
 }

@@ -49,11 +49,6 @@ impl<F: Flash> Pmx2ed<F> {
         self.stations[axis].goal(&self.axes[axis], target, self.ratio(axis)).ok_or(Refusal::Value)
     }
 
-    /// `SLS`.
-    pub fn loop_status(&self, axis: usize) -> i32 {
-        self.stations[axis].closed.status() as i32
-    }
-
     /// `SL`: StepNLoop on or off.
     pub fn switch_loop(&mut self, axis: usize, on: bool, board: &mut dyn Board) -> Result<(), Refusal> {
         if self.joystick_on(axis) && on {
@@ -63,13 +58,7 @@ impl<F: Flash> Pmx2ed<F> {
             return Err(Refusal::Moving);
         }
         self.memory.cells.set_at(Id::Loop, axis, on.into());
-        let encoder = self.encoder(axis, board);
-        let closed = &mut self.stations[axis].closed;
-        if on {
-            closed.enable(&self.axes[axis], encoder)
-        } else {
-            closed.disable()
-        }
+        self.stations[axis].switch_loop(on, &self.axes[axis], board.encoder(axis));
         Ok(())
     }
 
@@ -81,8 +70,7 @@ impl<F: Flash> Pmx2ed<F> {
                 self.stations[axis].task = Task::Follow;
             }
             if self.memory.cells.at(Id::Loop, axis) != 0 {
-                let encoder = self.encoder(axis, board);
-                self.stations[axis].closed.enable(&self.axes[axis], encoder);
+                self.stations[axis].switch_loop(true, &self.axes[axis], board.encoder(axis));
             }
         }
     }

@@ -14,7 +14,7 @@ use ::motion::{Direction, Ticks};
 use ascript::dialect::PERFORMAX_2;
 use ascript::isa::{self, Place, Word};
 use ascript::line::Line;
-use ascript::vm::{Action, Exit, State};
+use ascript::vm::{Action, Exit};
 
 /// Programs that a host starts and stops.
 const PROGRAMS: usize = PERFORMAX_2.threads as usize;
@@ -142,17 +142,8 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// `SR`: 0 stop, 1 start, 2 pause, 3 continue.
     pub fn control_program(&mut self, number: usize, control: i32) -> Result<(), Refusal> {
-        match control {
-            0 => self.programs.stop(number),
-            1 if self.programs.state(number) == State::Running => {}
-            1 => {
-                let line = self.memory.program.program(number as u8).ok_or(Refusal::State)?;
-                self.programs.start(number, line, self.now);
-            }
-            2 => self.programs.pause(number),
-            _ => self.programs.resume(number, self.now),
-        }
-        Ok(())
+        let known = self.programs.control(number, control, &self.memory.program, self.now);
+        if known { Ok(()) } else { Err(Refusal::State) }
     }
 
     /// `GS`: a subroutine by itself.
@@ -181,16 +172,6 @@ impl<F: Flash> Pmx2ed<F> {
             self.die();
         }
         Ok(())
-    }
-
-    /// `SASTAT`.
-    pub fn program_status(&self, number: usize) -> i32 {
-        self.programs.state(number) as i32
-    }
-
-    /// `SPC`.
-    pub fn program_counter(&self, number: usize) -> i32 {
-        self.programs.counter(number).into()
     }
 }
 
