@@ -1,7 +1,7 @@
 //! StepNLoop on the machine.
 
 use super::rig::Rig;
-use crate::controller::{CLEAR_LOOP, HOMING, LOOP_ERROR, MOVING, STATE, VALUE, line};
+use crate::controller::{CLEAR_LOOP, HOMING, LOOP_ERROR, MOTIONS, MOVING, STATE, VALUE, line};
 
 /// Two counts a pulse: 0.5 pulses a count.
 fn rig() -> Rig {
@@ -210,4 +210,21 @@ fn the_status_of_the_closed_loop() {
     rig.device.push("X", -200).unwrap();
     rig.pass_ms(50);
     rig.check("SLSX", "8");
+}
+
+#[test]
+fn a_loop_in_error_does_not_move() {
+    let mut rig = Rig::new();
+    rig.motors(false);
+    rig.ok("SLX=1 SLEX=50");
+    rig.run("X1000");
+    rig.check("SLSX", "10");
+    for line in MOTIONS {
+        rig.check(line, LOOP_ERROR);
+    }
+    assert!(!rig.moves("X") && !rig.moves("Y"));
+    rig.motors(true);
+    rig.ok(CLEAR_LOOP);
+    rig.run("X100");
+    rig.check("PX", "100");
 }

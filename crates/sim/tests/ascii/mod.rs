@@ -4,5 +4,6 @@
 mod closed_loop;
 pub mod examples;
 pub mod joystick;
+pub mod programs;
 pub mod ramps;
 pub mod rig;

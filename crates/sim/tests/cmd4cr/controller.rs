@@ -37,10 +37,11 @@ pub const HOMING: &[(&str, i32)] = &[
     ("HX-12", 13),
 ];
 
-/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop.
+/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop; of a program.
 pub const MOVING: &str = "?Error Moving";
 pub const STATE: &str = "?Error Moving";
 pub const VALUE: &str = "?Invalid Index";
+pub const PROGRAM: &str = "?Program Error";
 pub const LOOP_ERROR: &str = "?Error SNL";
 
 /// Joysticks: the voltage at one end, usual settings, and those of quick ones.
@@ -64,6 +65,12 @@ pub fn follow(mask: u8) -> String {
 pub fn soft_limit(place: u8, limit: i32) -> String {
     format!("JLIM{place}={limit}")
 }
+
+/// Motions of X, alone and with Y.
+pub const MOTIONS: &[&str] = &["X0", "JX+", "HX-0", "X10Y10", "CIRXYP5:5"];
+
+/// The bits of the status: errors of limits.
+pub const LIMIT_ERRORS: i32 = 0x300;
 
 /// A line of X and Y.
 pub fn line(x: i32, y: i32) -> String {

@@ -97,21 +97,6 @@ fn an_emergency_stop_that_is_on() {
 }
 
 #[test]
-fn a_loop_in_error_does_not_move() {
-    let mut rig = Rig::new();
-    rig.ok("SLX=1 SLEX=50 EO=0");
-    rig.run("X1000");
-    rig.check("SLSX", "10");
-    for line in ["X0", "JX+", "HX-0", "X10Y10", "CIRXYP5:5"] {
-        rig.check(line, "?Error SNL");
-    }
-    assert!(!rig.moves("X") && !rig.moves("Y"));
-    rig.ok("CLRX EO=15 X100");
-    rig.until_rest();
-    rig.check("PX", "100");
-}
-
-#[test]
 fn numbers_out_of_range() {
     let mut rig = Rig::new();
     let indices = [
@@ -179,18 +164,6 @@ fn programs_in_error() {
     rig.check("SASTAT2", "0");
     // Nor is one that is not there.
     rig.check("SACTRL3=1", "?Program Error");
-}
-
-#[test]
-fn subroutines_that_are_not_there() {
-    let mut rig = Rig::new();
-    rig.check("GS0", "?Sub not Initialized");
-    rig.download("END\nSUB 3\nV1=7\nENDSUB");
-    rig.check("GS0", "?Sub not Initialized");
-    rig.check("GS31", "?Sub not Initialized");
-    rig.ok("GS3");
-    rig.pass_ms(10);
-    rig.check("V1", "7");
 }
 
 /// A hundred registers; and three motions that wait for the external start.

@@ -25,10 +25,11 @@ pub const CLEAR_LOOP: &str = "CLRSX";
 /// Ways to home, and the status of StepNLoop meanwhile.
 pub const HOMING: &[(&str, i32)] = &[("HX+", 6), ("HLX+", 6), ("ZX+", 7), ("ZHX+", 7), ("LX+", 13)];
 
-/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop.
+/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop; of a program.
 pub const MOVING: &str = "?Moving";
 pub const STATE: &str = "?State Error";
 pub const VALUE: &str = "?Invalid Answer";
+pub const PROGRAM: &str = "?State Error";
 pub const LOOP_ERROR: &str = "?Clear SNL Error";
 
 /// Joysticks: the voltage at one end, usual settings, and those of quick ones.
@@ -55,6 +56,12 @@ pub fn follow(mask: u8) -> String {
 pub fn soft_limit(place: u8, limit: i32) -> String {
     format!("JL{place}={limit}")
 }
+
+/// Motions of X, alone and with Y.
+pub const MOTIONS: &[&str] = &["X0", "JX+", "HX-", "X10Y10"];
+
+/// The bits of the status: errors of limits.
+pub const LIMIT_ERRORS: i32 = 0x180;
 
 /// A line of X and Y.
 pub fn line(x: i32, y: i32) -> String {

@@ -20,22 +20,6 @@ fn a_target_is_changed_only_during_a_move() {
 }
 
 #[test]
-fn a_loop_in_error_does_not_move() {
-    let mut rig = Rig::new();
-    rig.ok("SLX=1 SLEX=50 EO=0");
-    rig.run("X1000");
-    rig.check("SLSX", "10");
-    rig.check("X0", "?Clear SNL Error");
-    rig.check("JX+", "?Clear SNL Error");
-    rig.check("HX-", "?Clear SNL Error");
-    rig.check("X10Y10", "?Clear SNL Error");
-    assert!(!rig.moves("X") && !rig.moves("Y"));
-    rig.ok("CLRSX EO=3 X100");
-    rig.until_rest();
-    rig.check("PX", "100");
-}
-
-#[test]
 fn indices_out_of_range() {
     let mut rig = Rig::new();
     let wrong = [
@@ -78,15 +62,4 @@ fn values_out_of_range() {
             rig.check(name, &before);
         }
     }
-}
-
-#[test]
-fn subroutines_that_are_not_there() {
-    let mut rig = Rig::new();
-    rig.check("GS0", "?Sub not Initialized");
-    rig.download("END\nSUB 3\nV1=7\nENDSUB");
-    rig.check("GS0", "?Sub not Initialized");
-    rig.ok("GS3");
-    rig.pass_ms(10);
-    rig.check("V1", "7");
 }

@@ -1,6 +1,6 @@
 //! Standalone programs: control, errors, subroutines, variables, time.
 
-use crate::controller::MS;
+use crate::ascii::programs::{go_up_and_down, operators};
 use crate::rig::Rig;
 
 #[test]
@@ -54,18 +54,7 @@ fn programs_are_controlled_by_the_host() {
 #[test]
 fn programs_go_up_and_down() {
     let mut rig = Rig::new();
-    assert_eq!(rig.say("SA0"), "");
-    rig.download("HSPD=V1\nX1000Y-2000\nWAITX\nIF DI1=1\nDO=V2\nENDIF\nEND");
-    let lines: Vec<_> = (0..20).map(|line| rig.say(&format!("SA{line}"))).collect();
-    assert!(lines.iter().all(|line| line.len() <= 48), "{lines:?}");
-    assert!(lines.iter().filter(|line| !line.is_empty()).count() >= 7, "{lines:?}");
-    // The same lines in another controller.
-    let mut other = Rig::new();
-    for (number, line) in lines.iter().enumerate() {
-        other.check(&format!("SA{number}={line}"), "OK");
-    }
-    let copied: Vec<_> = (0..20).map(|line| other.say(&format!("SA{line}"))).collect();
-    assert_eq!(copied, lines);
+    let lines = go_up_and_down(&mut rig, "HSPD=V1\nX1000Y-2000\nWAITX\nIF DI1=1\nDO=V2\nENDIF\nEND", 7);
     // What is no line changes nothing.
     rig.check("SA0=NONSENSE", "?Invalid Answer");
     assert_eq!(rig.say("SA0"), lines[0]);
@@ -92,36 +81,7 @@ fn variables() {
     rig.check("V31", "0");
     rig.check("V32", "-1032");
     rig.check("V63", "-1063");
-    rig.start(0, "V1=7\nV2=V1*-3\nV3=V2/2\nV4=V2%4\nV5=V1<<2\nV6=V2>>1\nV7=V5&12\nV8=V1|8\nV9=~V1\nV10=V1-V2\nV11=DI\nEND");
-    rig.pass_ms(10);
-    let values: Vec<_> = (2..=11).map(|number| rig.get(&format!("V{number}"))).collect();
-    assert_eq!(values[0], -21);
-    // Division rounds down.
-    assert_eq!(values[1], -11);
-    assert_eq!(values[3..], [28, -11, 12, 15, -8, 28, 0]);
-}
-
-/// A line takes 100 µs.
-#[test]
-fn lines_take_their_time() {
-    let mut rig = Rig::new();
-    rig.start(0, "WHILE 1=1\nV1=V1+1\nENDWHILE\nEND");
-    let lines = rig.device.programs().map(|program| program.instructions).sum::<u64>();
-    let start = rig.device.now();
-    rig.pass_ms(100);
-    let lines = rig.device.programs().map(|program| program.instructions).sum::<u64>() - lines;
-    let expected = (rig.device.now() - start) / (MS / 10);
-    assert!(lines.abs_diff(expected) <= 1, "{lines} {expected}");
-    // Delays are milliseconds.
-    rig.ok("SR0=0");
-    let mut rig = Rig::new();
-    rig.start(0, "DO1=1\nDELAY=250\nDO1=0\nEND");
-    rig.pass_ms(1);
-    assert!(rig.level("DO1"));
-    rig.pass_ms(248);
-    assert!(rig.level("DO1"));
-    rig.pass_ms(2);
-    assert!(!rig.level("DO1"));
+    operators(&mut rig, "DI", 0);
 }
 
 #[test]
@@ -142,92 +102,6 @@ fn programs_run_on_boot() {
     rig.check("DO", "3");
 }
 
-#[test]
-fn subroutines_from_the_host() {
-    let mut rig = Rig::new();
-    rig.download("PRG 0\nWHILE 1=1\nV1=V1+1\nENDWHILE\nEND\nSUB 5\nDO=V9\nDELAY=100\nDO=0\nENDSUB");
-    rig.ok("SR0=1 V9=85 GS5");
-    rig.pass_ms(10);
-    rig.check("DO", "85");
-    // One at a time; program 0 goes on.
-    rig.check("GS5", "?State Error");
-    let count = rig.get("V1");
-    rig.pass_ms(200);
-    rig.check("DO", "0");
-    assert!(rig.get("V1") > count);
-    rig.ok("GS5");
-    rig.check("GS6", "?Sub not Initialized");
-}
-
-const WITH_HANDLER: &str = "\
-HSPD=5000
-V2=V2+1
-X9000
-WAITX
-V3=V3+1
-X0
-WAITX
-END
-SUB 31
-V1=V1+1
-ECLEARX
-INC
-X-500
-WAITX
-ABS
-ENDSUB";
-
-#[test]
-fn errors_run_subroutine_31() {
-    let limited = || Rig::with(|axis| axis.positive_limit = 1000);
-    // Back to the line of the error: the wait, which is over then.
-    let mut rig = limited();
-    rig.start(0, WITH_HANDLER);
-    rig.pass_ms(3000);
-    assert_eq!((rig.get("V1"), rig.get("V2"), rig.get("V3")), (1, 1, 1));
-    assert_eq!((rig.get("PX"), rig.get("SASTAT0"), rig.get("MSTX") & 0x180), (0, 0, 0));
-    // Back to the first line of the program.
-    let mut rig = limited();
-    rig.ok("SAP=1");
-    rig.start(0, WITH_HANDLER);
-    rig.pass_ms(3000);
-    assert!(rig.get("V1") > 1 && rig.get("V2") > 1);
-    rig.check("V3", "0");
-    rig.check("SASTAT0", "1");
-    // Without the subroutine the program ends in an error.
-    let mut rig = limited();
-    rig.start(0, "HSPD=5000\nX9000\nWAITX\nDO=1\nEND");
-    rig.pass_ms(3000);
-    rig.check("SASTAT0", "4");
-    rig.check("DO", "0");
-    rig.check("PX", "1000");
-    // It can be started again.
-    rig.ok("CLRX IERR=1 SR0=1");
-    rig.pass_ms(10);
-    rig.check("SASTAT0", "0");
-    rig.check("DO", "1");
-}
-
-/// A program that stops itself in SUB 31 stops where SUB 31 ends.
-#[test]
-fn a_program_that_stops_itself_in_subroutine_31() {
-    let mut rig = Rig::new();
-    rig.start(0, "V2=1/V0\nV3=1\nEND\nSUB 31\nSR0=0\nDELAY=20\nDO=3\nENDSUB");
-    rig.pass_ms(5);
-    rig.check("SASTAT0", "1");
-    rig.pass_ms(50);
-    assert_eq!((rig.get("DO"), rig.get("V3"), rig.get("SASTAT0")), (3, 0, 0));
-}
-
-#[test]
-fn division_by_zero_is_an_error_of_the_program() {
-    let mut rig = Rig::new();
-    rig.start(0, "V1=5/V2\nDO=1\nEND");
-    rig.pass_ms(10);
-    rig.check("SASTAT0", "4");
-    rig.check("DO", "0");
-}
-
 /// StepNLoop's errors are errors of the program that moves the axis.
 #[test]
 fn a_stall_is_an_error_of_the_program() {
@@ -239,17 +113,6 @@ fn a_stall_is_an_error_of_the_program() {
     rig.pass_ms(500);
     rig.check("V1", "10");
     rig.check("SLSX", "0");
-    rig.check("SASTAT0", "0");
-}
-
-/// A move of an axis that is moving is passed over, not an error.
-#[test]
-fn a_program_does_not_move_an_axis_twice() {
-    let mut rig = Rig::new();
-    rig.start(0, "X2000\nX3000\nWAITX\nDO=1\nEND");
-    rig.pass_ms(5000);
-    rig.check("PX", "2000");
-    rig.check("DO", "1");
     rig.check("SASTAT0", "0");
 }
 
@@ -338,4 +201,20 @@ fn statements() {
     assert_eq!(run("ZOMEX-\nWAITX\nEND", 3000).2, 900);
     assert_eq!(run("X-400\nWAITX\nZHOMEX+\nWAITX\nEND", 5000).2, 1200);
     assert_eq!(run("STOP\nXV63\nWAITX\nSTORE\nEND", 1000).0, 0);
+}
+
+/// Without SUB 31 a program ends in an error.
+#[test]
+fn errors_without_subroutine_31() {
+    let mut rig = Rig::with(|axis| axis.positive_limit = 1000);
+    rig.start(0, "HSPD=5000\nX9000\nWAITX\nDO=1\nEND");
+    rig.pass_ms(3000);
+    rig.check("SASTAT0", "4");
+    rig.check("DO", "0");
+    rig.check("PX", "1000");
+    // It can be started again.
+    rig.ok("CLRX IERR=1 SR0=1");
+    rig.pass_ms(10);
+    rig.check("SASTAT0", "0");
+    rig.check("DO", "1");
 }
