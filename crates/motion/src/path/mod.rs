@@ -72,6 +72,8 @@ pub struct Path<const N: usize> {
     straight: [Straight; N],
     /// What two axes do on a circle.
     round: Option<([usize; 2], Round)>,
+    /// The next slot from which one of these goes the other way.
+    turn: i64,
 }
 
 impl<const N: usize> Path<N> {
@@ -100,7 +102,8 @@ impl<const N: usize> Path<N> {
         path.advance(now, |_| ());
         path.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)));
         let straight = way.map(|way| Straight::new(way, slots));
-        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round };
+        let turn = round.as_ref().map_or(i64::MAX, |(_, round)| round.turn_after(0));
+        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round, turn };
         for (_, axis) in axes.iter_mut().enumerate().filter(|(axis, _)| path.involves(*axis)) {
             axis.carry(axis.direction(), 0);
         }
@@ -172,8 +175,8 @@ impl<const N: usize> Path<N> {
         self.slots.acceleration()
     }
 
-    /// The clock at which the path must be advanced: the end of its trains, or the pulse with which an axis
-    /// reaches its window's edge. `None` at rest.
+    /// The clock at which the path must be advanced: the end of its trains, the pulse with which an axis
+    /// reaches its window's edge, or the slot from which an axis goes the other way. `None` at rest.
     pub fn wake(&self, axes: &[Axis; N]) -> Option<Ticks> {
         let train = self.slots.train()?;
         let ahead = train.direction == AHEAD;
@@ -186,22 +189,31 @@ impl<const N: usize> Path<N> {
                 round.slots_to(number, rooms, self.slot, train.count, ahead)
             })
         });
-        match straight.chain(round).min() {
+        match straight.chain(round).chain(self.slots_to_turn(ahead)).min() {
             Some(slot) if slot < train.count.into() => Some(train.edge(slot as u32)),
             _ => self.slots.wake(),
         }
     }
 
-    /// The clock at which something may happen that others have to see: the path ends, or an axis reaches an
-    /// edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away. `None` at rest.
+    /// The clock at which something may happen that others have to see: the path ends, an axis goes the other
+    /// way, or reaches an edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away.
+    /// `None` at rest.
     pub fn due(&self, axes: &[Axis; N]) -> Option<Ticks> {
         let wake = self.wake(axes)?;
         // No axis makes more than a pulse a slot.
         let rooms = axes.iter().enumerate().filter(|(axis, _)| self.involves(*axis)).flat_map(|(_, axis)| {
             [Direction::Negative, Direction::Positive].map(|way| axis.room(way)).into_iter()
         });
-        let room = rooms.filter(|room| *room > 0).min().unwrap_or(0);
-        Some(wake.max(self.slots.before(room as u64)))
+        let room = rooms.filter(|room| *room > 0).min().unwrap_or(0) as u64;
+        let ahead = self.slots.direction() == AHEAD;
+        let slots = self.slots_to_turn(ahead).map_or(room, |slots| slots.min(room));
+        Some(wake.max(self.slots.before(slots)))
+    }
+
+    /// Slots to where an axis on the circle goes the other way. Only a change of limits on the way takes a path
+    /// back; that is not looked for.
+    fn slots_to_turn(&self, ahead: bool) -> Option<u64> {
+        u64::try_from(self.turn - self.slot).ok().filter(|_| ahead)
     }
 
     /// Lets time pass to the end of clock `now`, no further than [`Self::due`] says; `emit` gets the trains
@@ -210,7 +222,7 @@ impl<const N: usize> Path<N> {
     /// # Panics
     /// If `now` is earlier than the last time, or an axis that takes part moves by itself.
     pub fn advance(&mut self, now: Ticks, axes: &mut [Axis; N], mut emit: impl FnMut(usize, &Train)) {
-        let Self { slots, slot, straight, round, .. } = self;
+        let Self { slots, slot, straight, round, turn, .. } = self;
         slots.advance(now, |path| {
             let ahead = path.direction == AHEAD;
             let mut pulses = |axis: usize, train: &Train| {
@@ -246,6 +258,9 @@ impl<const N: usize> Path<N> {
                 at += if ahead { i64::from(slots.count) } else { -i64::from(slots.count) };
             }
             *slot += if ahead { i64::from(path.count) } else { -i64::from(path.count) };
+            if let Some((_, round)) = round.as_ref().filter(|_| *slot >= *turn) {
+                *turn = round.turn_after(*slot);
+            }
         });
     }
 }

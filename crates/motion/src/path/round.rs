@@ -81,6 +81,13 @@ impl Round {
         way.map(|way| if ahead { Direction::of(way) } else { Direction::of(way).reversed() })
     }
 
+    /// The first slot after `slot` from which one of the axes goes the other way; beyond the end if neither does.
+    pub fn turn_after(&self, slot: i64) -> i64 {
+        let tick = slot >> self.slot_bits;
+        let turn = self.turning_point(0, tick).min(self.turning_point(1, tick));
+        turn << self.slot_bits
+    }
+
     /// The share of both axes in the speed on the circle after a slot, in 2⁻³².
     pub fn shares(&self, slot: i64) -> [u64; 2] {
         let radius = ((self.circle.squared() as u128) << (2 * PLACE_BITS)).isqrt();

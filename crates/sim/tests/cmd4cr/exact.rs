@@ -256,6 +256,26 @@ fn nothing_depends_on_the_pace() {
     assert_eq!(whole, levels(104_729));
 }
 
+/// An axis may turn into a limit that it set out from.
+#[test]
+fn a_circle_turns_into_a_limit() {
+    let end = |pace: Ticks| {
+        let mut rig = Rig::new();
+        rig.pin("+LX", true);
+        rig.ok("HSPD=10000 LSPD=10000 X-200");
+        rig.until_rest();
+        rig.ok("CLRX CIRXZP-200:100");
+        let end = rig.device.now() + HZ / 10;
+        while rig.device.now() < end {
+            rig.device.advance((rig.device.now() + pace).min(end));
+        }
+        rig.say("PP")
+    };
+    // Clockwise from below its centre: to the left first, and then a quarter later to the right.
+    assert_eq!(end(HZ), "-300:0:100:0");
+    assert_eq!(end(997), end(HZ));
+}
+
 /// One call of a user.
 #[derive(Clone, Debug)]
 enum Call {
@@ -271,7 +291,7 @@ enum Call {
 
 fn call() -> impl Strategy<Value = Call> {
     let axis = || prop::sample::select(vec!["X", "Z"]);
-    let pin = || prop::sample::select(vec!["DI1", "IO1", "IO5", "SDX", "ALMX", "INPX", "ZX", "CSTA"]);
+    let pin = || prop::sample::select(vec!["DI1", "IO1", "IO5", "SDX", "ALMX", "INPX", "ZX", "CSTA", "+LX", "-LZ"]);
     let say = (axis(), 0_usize..12, -3000_i32..3000).prop_map(|(axis, what, value)| {
         Call::Say(match what {
             0 | 1 => format!("{axis}{value}"),
@@ -310,6 +330,8 @@ fn session(calls: &[Call], pace: u64) -> Told {
         encoder_ratio: 1.5,
         in_position_ms: Some(3),
         slowdown: [Some([-900, -800]), Some([700, 800])],
+        negative_limit: -2500,
+        positive_limit: 2000,
         ..config.axis("X")
     };
     let z = AxisConfig { mpg_from: Some(0), encoder_ratio: -2.0, mpg_hz: 3000, ..config.axis("Z") };
