@@ -291,7 +291,8 @@ enum Call {
 
 fn call() -> impl Strategy<Value = Call> {
     let axis = || prop::sample::select(vec!["X", "Z"]);
-    let pin = || prop::sample::select(vec!["DI1", "IO1", "IO5", "SDX", "ALMX", "INPX", "ZX", "CSTA", "+LX", "-LZ"]);
+    let pin =
+        || prop::sample::select(vec!["DI1", "IO1", "IO5", "SDX", "ALMX", "INPX", "ZX", "CSTA", "+LX", "-LZ"]);
     let say = (axis(), 0_usize..12, -3000_i32..3000).prop_map(|(axis, what, value)| {
         Call::Say(match what {
             0 | 1 => format!("{axis}{value}"),
