@@ -7,3 +7,4 @@ pub mod joystick;
 pub mod programs;
 pub mod ramps;
 pub mod rig;
+pub mod settings;

@@ -1,7 +1,7 @@
-//! Ramps: how long they take, and their shapes.
+//! Ramps: how long they take, their shapes, and targets that change on the way.
 
 use super::rig::Rig;
-use crate::controller::USE_DECELERATION;
+use crate::controller::{AXES, USE_DECELERATION};
 
 /// Milliseconds from the start until the speed no longer rises.
 pub fn rise(rig: &mut Rig) -> u64 {
@@ -19,6 +19,19 @@ pub fn fall(rig: &mut Rig) -> u64 {
         rig.pass_ms(1);
     }
     rig.until_rest()
+}
+
+/// The bits of acceleration, deceleration and constant speed, in the order in which X has them until it rests.
+pub fn phases(rig: &mut Rig) -> Vec<i32> {
+    let mut seen = Vec::new();
+    while rig.moves("X") {
+        let bits = rig.get("MSTX") & 7;
+        if seen.last() != Some(&bits) {
+            seen.push(bits);
+        }
+        rig.pass_ms(1);
+    }
+    seen
 }
 
 #[track_caller]
@@ -69,4 +82,34 @@ fn s_curves() {
     assert!((950..=1050).contains(&curved), "{curved}");
     rig.run("X0");
     rig.check("PX", "0");
+}
+
+#[test]
+fn on_the_fly_target() {
+    let mut rig = Rig::new();
+    let (number, axis) = (AXES.len() - 1, AXES[AXES.len() - 1]);
+    let (position, target) = (format!("P{axis}"), format!("T{axis}"));
+    rig.ok("HSPD=5000 LSPD=500 ACC=100 DEC=100");
+    rig.ok(&format!("{axis}10000"));
+    rig.pass_ms(500);
+    rig.ok(&format!("{target}20000"));
+    rig.until_rest();
+    rig.check(&position, "20000");
+    // A target that lies behind is reached by turning round.
+    rig.ok(&format!("{axis}40000"));
+    rig.pass_ms(1000);
+    rig.ok(&format!("{target}20500"));
+    let turned = (0..1000).any(|_| {
+        rig.pass_ms(1);
+        rig.device.axis(number).speed_mpps < 0
+    });
+    assert!(turned);
+    rig.until_rest();
+    rig.check(&position, "20500");
+    // Counted from the start of the move in incremental mode.
+    rig.ok(&format!("INC {axis}1000"));
+    rig.pass_ms(100);
+    rig.ok(&format!("{target}3000"));
+    rig.until_rest();
+    rig.check(&position, "23500");
 }

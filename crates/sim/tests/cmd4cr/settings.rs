@@ -1,13 +1,20 @@
 //! Settings survive: exactly what table 2-19 names.
 
+use crate::ascii::settings::{erased, every_item_is_stored, read, values, write};
 use crate::rig::Rig;
+use devices::ascii;
 use devices::cmd4cr::table::COMMANDS;
-use devices::{ascii, model};
 use sim::SharedFlash;
 use std::collections::BTreeSet;
 
+/// Axes that follow something cannot follow something else.
+pub const BEFORE_ITEMS: &str = "JENA=0 MPEZ=0";
+
+/// Bit 4 of the configurable outputs is one, and as it is set.
+pub const BEFORE_OTHERS: &str = "IOCFG=16 IOP=0";
+
 /// Every item of table 2-19 with two values that are not its default; of the items of axes, of two axes.
-const ITEMS: &[(&str, [&str; 2])] = &[
+pub const ITEMS: &[(&str, [&str; 2])] = &[
     ("DB", ["2", "5"]),
     ("DIP", ["1", "1"]),
     ("DOBOOT", ["5", "10"]),
@@ -76,7 +83,7 @@ const ITEMS: &[(&str, [&str; 2])] = &[
 ];
 
 /// What table 2-19 does not name.
-const NOT_STORED: &[(&str, &str)] = &[
+pub const NOT_STORED: &[(&str, &str)] = &[
     ("ACC", "77"),
     ("ACCX", "78"),
     ("DEC", "79"),
@@ -100,63 +107,9 @@ const NOT_STORED: &[(&str, &str)] = &[
     ("SYNPX", "11"),
 ];
 
-fn erased() -> SharedFlash {
-    SharedFlash::erased(model("cmd-4cr").expect("the model exists").flash_bytes)
-}
-
-fn set(rig: &mut Rig, values: &[String]) {
-    for ((name, _), value) in ITEMS.iter().zip(values) {
-        rig.ok(&format!("{name}={value}"));
-    }
-}
-
-fn write(rig: &mut Rig, which: usize) {
-    set(rig, &values(which));
-}
-
-fn set_others(rig: &mut Rig) {
-    rig.ok("IOCFG=16 IOP=0");
-    for (name, value) in NOT_STORED {
-        rig.ok(&format!("{name}={value}"));
-        rig.check(name, value);
-    }
-}
-
-/// The items as they are.
-fn read(rig: &mut Rig) -> Vec<String> {
-    ITEMS.iter().map(|(name, _)| rig.say(name)).collect()
-}
-
-fn values(which: usize) -> Vec<String> {
-    ITEMS.iter().map(|(_, values)| values[which].to_owned()).collect()
-}
-
 #[test]
 fn every_item_of_table_2_19_is_stored() {
-    let mut rig = Rig::on(erased());
-    let defaults = read(&mut rig);
-    set_others(&mut rig);
-    write(&mut rig, 0);
-    assert_eq!(read(&mut rig), values(0));
-    // Without STORE nothing is kept.
-    rig.power_cycle();
-    assert_eq!(read(&mut rig), defaults);
-    for which in [0, 1] {
-        set_others(&mut rig);
-        write(&mut rig, which);
-        rig.ok("STORE");
-        rig.power_cycle();
-        assert_eq!(read(&mut rig), values(which));
-        rig.ok("JENA=0 MPEZ=0");
-        for (name, value) in NOT_STORED.iter().filter(|(name, _)| *name != "IO") {
-            assert_ne!(rig.say(name), *value, "{name}");
-        }
-    }
-    // Defaults can be stored again.
-    set(&mut rig, &defaults);
-    rig.ok("STORE");
-    rig.power_cycle();
-    assert_eq!(read(&mut rig), defaults);
+    every_item_is_stored();
 }
 
 /// The table of commands says what is stored; the items above are all of it, and StepNLoop, which the joystick
@@ -187,37 +140,6 @@ fn closed_loops_are_stored() {
     }
 }
 
-/// All old or all new, whichever flash operation the power is cut at; new if `STORE` was answered.
-#[test]
-fn a_store_is_all_old_or_all_new() {
-    let flash = erased();
-    let mut rig = Rig::on(flash.clone());
-    write(&mut rig, 0);
-    rig.ok("STORE");
-    let start = flash.to_bytes();
-    let before = flash.operations();
-    write(&mut rig, 1);
-    rig.ok("STORE");
-    let operations = flash.operations() - before;
-    assert!(operations > 5, "{operations}");
-    for cut in 0..=operations {
-        let flash = SharedFlash::from_bytes(start.clone());
-        flash.set_seed(cut);
-        let mut rig = Rig::on(flash.clone());
-        rig.ok("JENA=0 MPEZ=0");
-        write(&mut rig, 1);
-        flash.cut_after(cut);
-        let answered = rig.say("STORE") == "OK";
-        flash.restore_power();
-        let found = read(&mut Rig::on(flash));
-        if answered {
-            assert_eq!(found, values(1), "cut at {cut}");
-        } else {
-            assert!(found == values(0) || found == values(1), "cut at {cut}: {found:?}");
-        }
-    }
-}
-
 /// A line that was answered is there after a cut, the last ones too.
 #[test]
 fn a_download_is_in_flash_at_once() {
@@ -241,7 +163,6 @@ fn a_full_program_and_all_settings_fit() {
         rig.ok(&format!("SA{line}=END"));
     }
     for which in [0, 1, 0] {
-        rig.ok("JENA=0 MPEZ=0");
         write(&mut rig, which);
         rig.ok("STORE");
     }

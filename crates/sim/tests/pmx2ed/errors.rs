@@ -17,6 +17,18 @@ fn a_target_is_changed_only_during_a_move() {
     rig.check("TX500", "?ABS/INC is not in operation");
     rig.check("PX", "0");
     assert!(!rig.moves("X"));
+    // Only for moves of one axis.
+    rig.ok("I3000:3000");
+    rig.pass_ms(100);
+    rig.check("TX100", "?ABS/INC is not in operation");
+    rig.until_rest();
+    rig.ok("JX+");
+    rig.check("TX100", "?ABS/INC is not in operation");
+    rig.ok("ABORT X1000");
+    rig.pass_ms(10);
+    rig.ok("STOPX");
+    rig.check("TX100", "?ABS/INC is not in operation");
+    rig.check("T100", "?T100");
 }
 
 #[test]

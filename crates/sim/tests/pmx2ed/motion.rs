@@ -1,5 +1,6 @@
 //! Moves, jogs, stops, lines, limits.
 
+use crate::ascii::ramps::phases;
 use crate::rig::Rig;
 
 #[test]
@@ -177,47 +178,6 @@ fn positions_are_set_and_read() {
 }
 
 #[test]
-fn on_the_fly_target() {
-    let mut rig = Rig::new();
-    rig.ok("HSPD=5000 LSPD=500 ACC=100");
-    rig.check("TX100", "?ABS/INC is not in operation");
-    rig.ok("X10000");
-    rig.pass_ms(500);
-    rig.ok("TX20000");
-    rig.until_rest();
-    rig.check("PX", "20000");
-    // A target that lies behind is reached by turning round.
-    rig.ok("X40000");
-    rig.pass_ms(1000);
-    rig.ok("TX20500");
-    let turned = (0..1000).any(|_| {
-        rig.pass_ms(1);
-        rig.device.axis(0).speed_mpps < 0
-    });
-    assert!(turned);
-    rig.until_rest();
-    rig.check("PX", "20500");
-    // Counted from the start of the move in incremental mode.
-    rig.ok("INC X1000");
-    rig.pass_ms(100);
-    rig.ok("TX3000");
-    rig.until_rest();
-    rig.check("PX", "23500");
-    // Only for moves of one axis.
-    rig.ok("ABS I0:0");
-    rig.pass_ms(100);
-    rig.check("TX100", "?ABS/INC is not in operation");
-    rig.until_rest();
-    rig.ok("JX+");
-    rig.check("TX100", "?ABS/INC is not in operation");
-    rig.ok("ABORT X1000");
-    rig.pass_ms(10);
-    rig.ok("STOPX");
-    rig.check("TX100", "?ABS/INC is not in operation");
-    rig.check("T100", "?T100");
-}
-
-#[test]
 fn the_status_word() {
     let mut rig = Rig::with(|axis| axis.positive_limit = 5000);
     // The axis stands on the home switch and on the index.
@@ -226,16 +186,8 @@ fn the_status_word() {
     rig.ok("INC");
     rig.check("MST", "576:576:0:1");
     rig.ok("ABS HSPD=5000 LSPD=100 ACC=200 X2000");
-    let mut seen = Vec::new();
-    while rig.moves("X") {
-        let bits = rig.get("MSTX") & 7;
-        if seen.last() != Some(&bits) {
-            seen.push(bits);
-        }
-        rig.pass_ms(1);
-    }
     // Accelerates, runs at constant speed, decelerates.
-    assert_eq!(seen, [1, 4, 2]);
+    assert_eq!(phases(&mut rig), [1, 4, 2]);
     rig.check("MSTX", "0");
     rig.run("X9000");
     rig.check("MSTX", "144");

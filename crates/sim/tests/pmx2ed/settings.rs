@@ -1,11 +1,17 @@
 //! Settings survive: what is stored, and a power cut at every single flash operation.
 
+use crate::ascii::settings::{cut_everywhere, erased, every_item_is_stored, write};
 use crate::rig::Rig;
-use devices::model;
 use sim::SharedFlash;
 
+/// The ratio is that of a loop that is off.
+pub const BEFORE_ITEMS: &str = "SLX=0";
+
+/// What is not stored needs no preparation.
+pub const BEFORE_OTHERS: &str = "";
+
 /// Every item of table 7.15 with two values that are not its default.
-const ITEMS: &[(&str, [&str; 2])] = &[
+pub const ITEMS: &[(&str, [&str; 2])] = &[
     ("DOBOOT", ["5", "250"]),
     ("DB", ["2", "5"]),
     ("DN", ["2ED05", "2ED99"]),
@@ -54,7 +60,7 @@ const ITEMS: &[(&str, [&str; 2])] = &[
 ];
 
 /// What table 7.15 does not name.
-const NOT_STORED: &[(&str, &str)] = &[
+pub const NOT_STORED: &[(&str, &str)] = &[
     ("HSPD", "5000"),
     ("LSPDX", "50"),
     ("ACC", "77"),
@@ -68,58 +74,9 @@ const NOT_STORED: &[(&str, &str)] = &[
     ("EX", "56"),
 ];
 
-fn erased() -> SharedFlash {
-    SharedFlash::erased(model("pmx-2ed").expect("the model exists").flash_bytes)
-}
-
-fn set(rig: &mut Rig, values: &[String]) {
-    // The ratio is that of a loop that is off.
-    rig.ok("SLX=0");
-    for ((name, _), value) in ITEMS.iter().zip(values) {
-        rig.ok(&format!("{name}={value}"));
-    }
-}
-
-fn write(rig: &mut Rig, which: usize) {
-    set(rig, &values(which));
-}
-
-/// The items as they are.
-fn read(rig: &mut Rig) -> Vec<String> {
-    ITEMS.iter().map(|(name, _)| rig.say(name)).collect()
-}
-
-fn values(which: usize) -> Vec<String> {
-    ITEMS.iter().map(|(_, values)| values[which].to_owned()).collect()
-}
-
 #[test]
 fn every_item_of_table_7_15_is_stored() {
-    let mut rig = Rig::on(erased());
-    let defaults = read(&mut rig);
-    for (name, value) in NOT_STORED {
-        rig.ok(&format!("{name}={value}"));
-    }
-    write(&mut rig, 0);
-    assert_eq!(read(&mut rig), values(0));
-    // Without STORE nothing is kept.
-    rig.power_cycle();
-    assert_eq!(read(&mut rig), defaults);
-    for (name, value) in NOT_STORED {
-        rig.ok(&format!("{name}={value}"));
-    }
-    write(&mut rig, 0);
-    rig.ok("STORE");
-    rig.power_cycle();
-    assert_eq!(read(&mut rig), values(0));
-    for (name, value) in NOT_STORED {
-        assert_ne!(rig.say(name), *value, "{name}");
-    }
-    // Defaults can be stored again.
-    set(&mut rig, &defaults);
-    rig.ok("STORE");
-    rig.power_cycle();
-    assert_eq!(read(&mut rig), defaults);
+    every_item_is_stored();
 }
 
 /// The joystick mask is a setting too, but cannot be read back as one.
@@ -132,54 +89,6 @@ fn the_joystick_mask_is_stored() {
     rig.ok("JF STORE");
     rig.power_cycle();
     assert_eq!(rig.get("MSTY") & 1024, 0);
-}
-
-/// All old or all new, whichever flash operation the power is cut at; new if `STORE` was answered.
-fn cut_everywhere(start: &[u8]) {
-    let flash = SharedFlash::from_bytes(start.to_vec());
-    let mut rig = Rig::on(flash.clone());
-    let before = flash.operations();
-    write(&mut rig, 1);
-    rig.ok("STORE");
-    let operations = flash.operations() - before;
-    assert!(operations > 5, "{operations}");
-    let defaults = read(&mut Rig::on(erased()));
-    for cut in 0..=operations {
-        let flash = SharedFlash::from_bytes(start.to_vec());
-        flash.set_seed(cut);
-        let mut rig = Rig::on(flash.clone());
-        write(&mut rig, 1);
-        flash.cut_after(cut);
-        let answered = rig.say("STORE") == "OK";
-        flash.restore_power();
-        let mut rig = Rig::on(flash.clone());
-        let found = read(&mut rig);
-        if answered {
-            assert_eq!(found, values(1), "cut at {cut}");
-        } else {
-            assert!(found == values(0) || found == values(1), "cut at {cut}: {found:?}");
-        }
-        // What the cut left behind does not show in a store of less.
-        let other = SharedFlash::from_bytes(flash.to_bytes());
-        let mut less = Rig::on(other.clone());
-        set(&mut less, &defaults);
-        less.ok("STORE");
-        assert_eq!(read(&mut Rig::on(other)), defaults, "less after the cut at {cut}");
-        // And it can be stored again.
-        write(&mut rig, 0);
-        rig.ok("V33=1 STORE");
-        let mut rig = Rig::on(flash);
-        assert_eq!(read(&mut rig), values(0), "after the cut at {cut}");
-    }
-}
-
-#[test]
-fn a_store_is_all_old_or_all_new() {
-    let flash = erased();
-    let mut rig = Rig::on(flash.clone());
-    write(&mut rig, 0);
-    rig.ok("STORE");
-    cut_everywhere(&flash.to_bytes());
 }
 
 #[test]
