@@ -3,6 +3,7 @@
 
 mod closed_loop;
 pub mod examples;
+pub mod io;
 pub mod joystick;
 pub mod programs;
 pub mod ramps;

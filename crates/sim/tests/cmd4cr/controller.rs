@@ -37,11 +37,17 @@ pub const HOMING: &[(&str, i32)] = &[
     ("HX-12", 13),
 ];
 
-/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop; of a program.
+/// The refusal while the axis moves.
 pub const MOVING: &str = "?Error Moving";
+/// The refusal in a state that forbids it.
 pub const STATE: &str = "?Error Moving";
+/// The refusal of a value out of range.
 pub const VALUE: &str = "?Invalid Index";
+/// The refusal of a number in a name out of range.
+pub const INDEX: &str = "?Invalid Index";
+/// The refusal because of the state of a program.
 pub const PROGRAM: &str = "?Program Error";
+/// The refusal in an error of StepNLoop.
 pub const LOOP_ERROR: &str = "?Error SNL";
 
 /// Joysticks: the voltage at one end, usual settings, and those of quick ones.

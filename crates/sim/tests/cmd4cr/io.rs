@@ -1,5 +1,6 @@
 //! Inputs and outputs, motor power, polarities, encoders.
 
+use crate::ascii::io::{inputs, outputs};
 use crate::controller::AXES;
 use crate::rig::Rig;
 use sim::PinValue;
@@ -10,15 +11,7 @@ const POL: i32 = 2 << 11 | 2 << 15;
 #[test]
 fn digital_inputs() {
     let mut rig = Rig::new();
-    for bit in 1..=4 {
-        let input = format!("DI{bit}");
-        rig.check(&input, "0");
-        rig.pin(&input, true);
-        rig.check(&input, "1");
-        rig.check("DI", &(1 << (bit - 1)).to_string());
-        rig.pin(&input, false);
-        rig.check("DI", "0");
-    }
+    inputs(&mut rig, 4);
     rig.ok("DIP=1");
     rig.check("DI", "15");
     rig.pin("DI2", true);
@@ -32,15 +25,7 @@ fn digital_inputs() {
 #[test]
 fn digital_outputs() {
     let mut rig = Rig::new();
-    for bit in 1..=4 {
-        let output = format!("DO{bit}");
-        rig.ok(&format!("{output}=1"));
-        assert!(rig.level(&output));
-        rig.check("DO", &(1 << (bit - 1)).to_string());
-        rig.check(&output, "1");
-        rig.ok(&format!("{output}=0"));
-        assert!(!rig.level(&output));
-    }
+    outputs(&mut rig, 4);
     rig.ok("DO=5");
     let levels = |rig: &Rig| [1, 2, 3, 4].map(|bit| rig.level(&format!("DO{bit}")));
     assert_eq!(levels(&rig), [true, false, true, false]);
@@ -99,19 +84,6 @@ fn configurable_io() {
     rig.check("IO", "16");
 }
 
-#[test]
-fn analog_inputs() {
-    let mut rig = Rig::new();
-    rig.analog("AI1", 1234.0);
-    rig.analog("AI2", 3300.0);
-    rig.check("AI1", "1234");
-    rig.check("AI2", "3300");
-    rig.analog("AI2", 0.0);
-    rig.check("AI2", "0");
-    rig.check("AI3", "?Invalid Index");
-    rig.check("AI0", "?Invalid Index");
-}
-
 /// The setting of PWM1 is how long it is low, that of PWM2 how long it is high.
 #[test]
 fn pwm_outputs() {
@@ -127,30 +99,6 @@ fn pwm_outputs() {
         rig.check(wrong, "?Invalid Index");
     }
     assert!(rig.device.drive_pin("PWM1", PinValue::Number(1.0)).is_err());
-}
-
-/// Without power the counter counts and the shaft stands still.
-#[test]
-fn motor_power() {
-    let mut rig = Rig::new();
-    for (bit, axis) in AXES.into_iter().enumerate() {
-        let state =
-            |rig: &mut Rig| (rig.get(&format!("P{axis}")), rig.get(&format!("E{axis}")), rig.shaft(axis));
-        rig.run(&format!("{axis}1000"));
-        assert_eq!(state(&mut rig), (1000, 1000, 1000));
-        let output = format!("EO{}", bit + 1);
-        rig.ok(&format!("{output}=0"));
-        rig.check("EO", &(15 - (1 << bit)).to_string());
-        assert!(!rig.level(&output));
-        rig.run(&format!("{axis}3000"));
-        assert_eq!(state(&mut rig), (3000, 1000, 1000));
-        rig.ok(&format!("{output}=1"));
-        assert!(rig.level(&output));
-        rig.run(&format!("{axis}2000"));
-        assert_eq!(state(&mut rig), (2000, 0, 0));
-    }
-    rig.check("EO=16", "?Invalid Index");
-    rig.check("EO5=1", "?Invalid Index");
 }
 
 #[test]

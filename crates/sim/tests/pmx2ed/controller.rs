@@ -25,11 +25,17 @@ pub const CLEAR_LOOP: &str = "CLRSX";
 /// Ways to home, and the status of StepNLoop meanwhile.
 pub const HOMING: &[(&str, i32)] = &[("HX+", 6), ("HLX+", 6), ("ZX+", 7), ("ZHX+", 7), ("LX+", 13)];
 
-/// Refusals: while it moves; in a state that forbids it; of a value; in an error of StepNLoop; of a program.
+/// The refusal while the axis moves.
 pub const MOVING: &str = "?Moving";
+/// The refusal in a state that forbids it.
 pub const STATE: &str = "?State Error";
+/// The refusal of a value out of range.
 pub const VALUE: &str = "?Invalid Answer";
+/// The refusal of a number in a name out of range.
+pub const INDEX: &str = "?Index out of Range";
+/// The refusal because of the state of a program.
 pub const PROGRAM: &str = "?State Error";
+/// The refusal in an error of StepNLoop.
 pub const LOOP_ERROR: &str = "?Clear SNL Error";
 
 /// Joysticks: the voltage at one end, usual settings, and those of quick ones.

@@ -1,25 +1,13 @@
 //! Inputs and outputs, motor power, polarities, encoders.
 
+use crate::ascii::io::{inputs, outputs};
 use crate::rig::Rig;
 
 #[test]
 fn digital_inputs_and_outputs() {
     let mut rig = Rig::new();
-    for bit in 1..=8 {
-        let (input, output) = (format!("DI{bit}"), format!("DO{bit}"));
-        rig.check(&input, "0");
-        rig.pin(&input, true);
-        rig.check(&input, "1");
-        rig.check("DI", &(1 << (bit - 1)).to_string());
-        rig.pin(&input, false);
-        rig.check("DI", "0");
-        rig.ok(&format!("{output}=1"));
-        assert!(rig.level(&output));
-        rig.check("DO", &(1 << (bit - 1)).to_string());
-        rig.check(&output, "1");
-        rig.ok(&format!("{output}=0"));
-        assert!(!rig.level(&output));
-    }
+    inputs(&mut rig, 8);
+    outputs(&mut rig, 8);
     rig.ok("DO=165");
     rig.check("DO", "165");
     rig.check("DO1", "1");
@@ -32,36 +20,6 @@ fn digital_inputs_and_outputs() {
     }
     rig.check("DI=3", "?DI=3");
     rig.check("DO", "165");
-}
-
-#[test]
-fn analog_inputs() {
-    let mut rig = Rig::new();
-    rig.analog("AI1", 1234.0);
-    rig.analog("AI2", 5000.0);
-    rig.check("AI1", "1234");
-    rig.check("AI2", "5000");
-    rig.analog("AI2", 0.0);
-    rig.check("AI2", "0");
-}
-
-/// Without power the counter counts and the shaft stands still.
-#[test]
-fn motor_power() {
-    let mut rig = Rig::new();
-    rig.run("X1000");
-    assert_eq!((rig.get("PX"), rig.get("EX"), rig.shaft("X")), (1000, 1000, 1000));
-    rig.ok("EO1=0");
-    rig.check("EO", "2");
-    assert!(!rig.level("EO1") && rig.level("EO2"));
-    rig.run("X3000");
-    assert_eq!((rig.get("PX"), rig.get("EX"), rig.shaft("X")), (3000, 1000, 1000));
-    rig.ok("EO1=1");
-    rig.run("X2000");
-    assert_eq!((rig.get("PX"), rig.get("EX"), rig.shaft("X")), (2000, 0, 0));
-    rig.check("EO1", "1");
-    rig.check("EO=4", "?Invalid Answer");
-    rig.check("EO3=1", "?Index out of Range");
 }
 
 #[test]
