@@ -213,7 +213,7 @@ impl<const N: usize> Path<N> {
     /// Slots to where an axis on the circle goes the other way. Only a change of limits on the way takes a path
     /// back; that is not looked for.
     fn slots_to_turn(&self, ahead: bool) -> Option<u64> {
-        u64::try_from(self.turn - self.slot).ok().filter(|_| ahead)
+        u64::try_from(self.turn.saturating_sub(self.slot)).ok().filter(|_| ahead)
     }
 
     /// Lets time pass to the end of clock `now`, no further than [`Self::due`] says; `emit` gets the trains
