@@ -121,20 +121,6 @@ impl Arc {
         self.along
     }
 
-    /// The fastest speed along the circle at which no axis makes more than so many pulses a second: a third axis
-    /// on a longer way is faster than that.
-    pub fn fastest(&self, pps: u32) -> u32 {
-        let squared = self.start.iter().map(|part| u64::from(part.unsigned_abs()).pow(2)).sum();
-        let length = angle::arc_length(squared, self.travel);
-        match self.along {
-            Some((_, way)) if self.travel > 0 && u64::from(way.unsigned_abs()) << 32 > length => {
-                // Less than `pps`.
-                (u128::from(pps) * u128::from(length) / (u128::from(way.unsigned_abs()) << 32)) as u32
-            }
-            _ => pps,
-        }
-    }
-
     /// The motion; `None` if it goes nowhere.
     pub(super) fn round(&self) -> Option<Round> {
         let slots = self.along.map_or(0, |(_, way)| way.unsigned_abs());
@@ -190,20 +176,6 @@ mod tests {
                 assert!(arc.round().is_none());
             }
         }
-    }
-
-    #[test]
-    fn a_steep_helix_is_as_fast_as_its_third_axis() {
-        let check = |way, expected| {
-            let arc = Arc::new([0, 1], [1000, 0], Turn::Clockwise, End::Circle, Some((2, way))).unwrap();
-            assert_eq!(arc.fastest(1_000_000), expected);
-        };
-        // 6283 pulses around.
-        check(0, 1_000_000);
-        check(-6283, 1_000_000);
-        check(6284, 999_870);
-        check(-62_832, 99_999);
-        check(i32::MIN, 2);
     }
 
     #[test]
