@@ -216,7 +216,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
     }
 
     fn due(&self) -> Ticks {
-        let rides = self.rides.iter().map(|ride| ride.path.due(&self.axes));
+        let rides = self.rides.iter().map(|ride| self.ride_due(ride));
         let clears = self.clears.iter().map(ErrorClear::due);
         let captures = self.captures.iter().map(Capture::due);
         let axes = self.axes.iter().map(Axis::due);

@@ -8,10 +8,9 @@ use super::{Cmd4cr, FAMILY, HZ};
 use crate::ascii::station::{Halt, Task};
 use crate::board::Board;
 use crate::flash::Flash;
-use ::motion::Limits;
-use ::motion::closed_loop;
 use ::motion::path::{Arc, End, Move, Path, Turn};
 use ::motion::speed::Speed;
+use ::motion::{Limits, Ticks, closed_loop};
 
 /// The axis that goes along a line while X and Y turn.
 const RISER: usize = 2;
@@ -101,6 +100,16 @@ impl<F: Flash> Cmd4cr<F> {
     /// The interpolated move of an axis.
     pub fn ride_of(&self, axis: usize) -> Option<&Ride> {
         self.rides.iter().find(|ride| ride.members >> axis & 1 != 0)
+    }
+
+    /// When something is due on a ride: where a limit is on, also where an axis may turn into it.
+    pub fn ride_due(&self, ride: &Ride) -> Option<Ticks> {
+        let due = ride.path.due(&self.axes)?;
+        let limited = axes_in(ride.members).any(|axis| self.limits_on(axis).contains(&true));
+        if !limited {
+            return Some(due);
+        }
+        Some(ride.path.turn().map_or(due, |turn| due.min(turn)))
     }
 
     fn pulses(&self) -> [i32; AXIS_COUNT] {

@@ -72,8 +72,6 @@ pub struct Path<const N: usize> {
     straight: [Straight; N],
     /// What two axes do on a circle.
     round: Option<([usize; 2], Round)>,
-    /// The next slot from which one of these goes the other way.
-    turn: i64,
 }
 
 impl<const N: usize> Path<N> {
@@ -102,8 +100,7 @@ impl<const N: usize> Path<N> {
         path.advance(now, |_| ());
         path.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)));
         let straight = way.map(|way| Straight::new(way, slots));
-        let turn = round.as_ref().map_or(i64::MAX, |(_, round)| round.turn_after(0));
-        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round, turn };
+        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round };
         for (_, axis) in axes.iter_mut().enumerate().filter(|(axis, _)| path.involves(*axis)) {
             axis.carry(axis.direction(), 0);
         }
@@ -175,8 +172,8 @@ impl<const N: usize> Path<N> {
         self.slots.acceleration()
     }
 
-    /// The clock at which the path must be advanced: the end of its trains, the pulse with which an axis
-    /// reaches its window's edge, or the slot from which an axis goes the other way. `None` at rest.
+    /// The clock at which the path must be advanced: the end of its trains, or the pulse with which an axis
+    /// reaches its window's edge. `None` at rest.
     pub fn wake(&self, axes: &[Axis; N]) -> Option<Ticks> {
         let train = self.slots.train()?;
         let ahead = train.direction == AHEAD;
@@ -189,15 +186,14 @@ impl<const N: usize> Path<N> {
                 round.slots_to(number, rooms, self.slot, train.count, ahead)
             })
         });
-        match straight.chain(round).chain(self.slots_to_turn(ahead)).min() {
+        match straight.chain(round).min() {
             Some(slot) if slot < train.count.into() => Some(train.edge(slot as u32)),
             _ => self.slots.wake(),
         }
     }
 
-    /// The clock at which something may happen that others have to see: the path ends, an axis goes the other
-    /// way, or reaches an edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away.
-    /// `None` at rest.
+    /// The clock at which something may happen that others have to see: the path ends, or an axis reaches an
+    /// edge of its window or a mark. Later than [`wake`](Self::wake) where that is far away. `None` at rest.
     pub fn due(&self, axes: &[Axis; N]) -> Option<Ticks> {
         let wake = self.wake(axes)?;
         // No axis makes more than a pulse a slot.
@@ -205,15 +201,23 @@ impl<const N: usize> Path<N> {
             [Direction::Negative, Direction::Positive].map(|way| axis.room(way)).into_iter()
         });
         let room = rooms.filter(|room| *room > 0).min().unwrap_or(0) as u64;
-        let ahead = self.slots.direction() == AHEAD;
-        let slots = self.slots_to_turn(ahead).map_or(room, |slots| slots.min(room));
-        Some(wake.max(self.slots.before(slots)))
+        Some(wake.max(self.slots.before(room)))
     }
 
-    /// Slots to where an axis on the circle goes the other way. Only a change of limits on the way takes a path
-    /// back; that is not looked for.
-    fn slots_to_turn(&self, ahead: bool) -> Option<u64> {
-        u64::try_from(self.turn.saturating_sub(self.slot)).ok().filter(|_| ahead)
+    /// The clock of the slot from which an axis on a circle goes the other way, or an earlier one: whoever keeps
+    /// axes from going one way looks after them then. `None` at rest and on lines.
+    pub fn turn(&self) -> Option<Ticks> {
+        let (_, round) = self.round.as_ref()?;
+        let train = self.slots.train()?;
+        if train.direction != AHEAD {
+            // Only a change of limits on the way takes a path back.
+            return Some(train.first_slot());
+        }
+        let slots = round.turn_after(self.slot).abs_diff(self.slot);
+        if slots < train.count.into() {
+            return Some(train.edge(slots as u32));
+        }
+        Some(self.slots.wake()?.max(self.slots.before(slots)))
     }
 
     /// Lets time pass to the end of clock `now`, no further than [`Self::due`] says; `emit` gets the trains
@@ -222,7 +226,7 @@ impl<const N: usize> Path<N> {
     /// # Panics
     /// If `now` is earlier than the last time, or an axis that takes part moves by itself.
     pub fn advance(&mut self, now: Ticks, axes: &mut [Axis; N], mut emit: impl FnMut(usize, &Train)) {
-        let Self { slots, slot, straight, round, turn, .. } = self;
+        let Self { slots, slot, straight, round, .. } = self;
         slots.advance(now, |path| {
             let ahead = path.direction == AHEAD;
             let mut pulses = |axis: usize, train: &Train| {
@@ -258,9 +262,6 @@ impl<const N: usize> Path<N> {
                 at += if ahead { i64::from(slots.count) } else { -i64::from(slots.count) };
             }
             *slot += if ahead { i64::from(path.count) } else { -i64::from(path.count) };
-            if let Some((_, round)) = round.as_ref().filter(|_| *slot >= *turn) {
-                *turn = round.turn_after(*slot);
-            }
         });
     }
 }
