@@ -217,6 +217,27 @@ impl<const N: usize> Threads<N> {
         self.threads[number].start(line, parts);
     }
 
+    /// Starts the programs with a bit. One that is not there does not start.
+    pub fn boot<const LINES: usize, const VARIABLES: usize>(
+        &mut self,
+        mask: i32,
+        memory: &Memory<LINES, VARIABLES>,
+        now: Ticks,
+    ) {
+        for number in (0..Self::HOST).filter(|number| mask >> number & 1 != 0) {
+            self.control(number, 1, memory, now);
+        }
+    }
+
+    /// Starts a subroutine of the host, unless one is on.
+    pub fn call(&mut self, line: u16, now: Ticks) -> bool {
+        let is_free = !self.is_active(Self::HOST);
+        if is_free {
+            self.start(Self::HOST, line, now);
+        }
+        is_free
+    }
+
     /// Ends a program.
     pub fn stop(&mut self, number: usize) {
         self.threads[number].thread.stop();

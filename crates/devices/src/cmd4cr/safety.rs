@@ -27,9 +27,7 @@ pub struct Guard {
     pub emergency: bool,
     /// The slowdown input has stopped a motion.
     pub slowdown_stop: bool,
-    /// The slowdown input was on since the motion began.
-    latched: bool,
-    /// The slowdown input acts, by its level or its latch.
+    /// The slowdown input acts: it is on, or was since the motion began and is latched.
     pub slow: bool,
     /// The pulses are out, but the driver is not in position yet.
     pub arriving: bool,
@@ -42,7 +40,6 @@ impl Guard {
             alarm: false,
             emergency: false,
             slowdown_stop: false,
-            latched: false,
             slow: false,
             arriving: false,
         }
@@ -131,9 +128,9 @@ impl<F: Flash> Cmd4cr<F> {
     pub fn emergency_stop(&mut self) {
         self.drop_all_waiting();
         self.drop_buffer();
-        for axis in
-            (0..AXIS_COUNT).filter(|&axis| self.is_moving(axis)).collect::<heapless::Vec<_, AXIS_COUNT>>()
-        {
+        // Stopping one may stop others.
+        let moved: [bool; AXIS_COUNT] = core::array::from_fn(|axis| self.is_moving(axis));
+        for axis in (0..AXIS_COUNT).filter(|&axis| moved[axis]) {
             self.error_stop(axis);
             if !self.ignores_errors() {
                 self.guards[axis].emergency = true;
@@ -179,9 +176,7 @@ impl<F: Flash> Cmd4cr<F> {
     /// A motion begins: what was latched before does not count. It may begin on the switch and leave it,
     /// slowly.
     pub fn forget_slowdown(&mut self, axis: usize, board: &mut dyn Board) {
-        let on = self.slowdown_acts(axis, board);
-        let guard = &mut self.guards[axis];
-        (guard.latched, guard.slow) = (on, on);
+        self.guards[axis].slow = self.slowdown_acts(axis, board);
     }
 
     /// The slowdown input of an axis may have changed.
@@ -190,8 +185,7 @@ impl<F: Flash> Cmd4cr<F> {
         let latches = self.memory.cells.at(Id::Slowdown, axis) & SLOWDOWN_LATCHED != 0;
         let moving = self.is_moving(axis);
         let guard = &mut self.guards[axis];
-        guard.latched = (guard.latched && latches || on) && self.memory.cells.at(Id::Slowdown, axis) != 0;
-        let slow = on || guard.latched;
+        let slow = on || latches && guard.slow;
         if core::mem::replace(&mut guard.slow, slow) == slow {
             return;
         }

@@ -149,20 +149,13 @@ impl<F: Flash> Pmx2ed<F> {
     /// `GS`: a subroutine by itself.
     pub fn run_subroutine(&mut self, number: u16) -> Result<(), Refusal> {
         let line = self.memory.program.subroutine(number as u8).ok_or(Refusal::NoSubroutine)?;
-        if self.programs.is_active(Threads::<THREADS>::HOST) {
-            return Err(Refusal::State);
-        }
-        self.programs.start(Threads::<THREADS>::HOST, line, self.now);
-        Ok(())
+        if self.programs.call(line, self.now) { Ok(()) } else { Err(Refusal::State) }
     }
 
     /// Starts the programs that run at power-up.
     pub fn boot_programs(&mut self) {
         let mask = self.memory.cells.get(Id::RunOnBoot);
-        for number in (0..PROGRAMS).filter(|number| mask >> number & 1 != 0) {
-            // A program that is not there does not start.
-            let _ = self.control_program(number, 1);
-        }
+        self.programs.boot(mask, &self.memory.program, self.now);
     }
 
     /// `SA`: a line of the program; it is in flash when this returns.
