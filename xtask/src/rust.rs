@@ -27,7 +27,7 @@ pub fn clippy(workplace: &Workplace) -> Result<()> {
 /// installed, which proves that nothing pulls in `std`; else on the host, which proves that they build.
 pub fn no_std(workplace: &Workplace) -> Result<()> {
     let mut arguments = vec!["check", "--locked", "--no-default-features", "--lib"];
-    for name in ["motion", "protocol", "tmcl", "ascript", "devices"] {
+    for name in ["motion", "protocol", "tmcl", "ascript", "devices", "runtime"] {
         arguments.extend(["-p", name]);
     }
     let sysroot = read(&mut workplace.command("rustc", &["--print", "sysroot"]))?;
