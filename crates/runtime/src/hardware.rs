@@ -103,6 +103,9 @@ pub trait Hardware {
     /// after the main loop had looked ends this too (as WFI does with interrupts masked, or WFE).
     fn rest(&mut self);
 
+    /// Whether the [clock](TICK_HZ) has ticked since this was asked last.
+    fn ticked(&mut self) -> bool;
+
     /// The watchdog, about 1,000 times a second, from the main loop alone.
     fn feed(&mut self);
 
