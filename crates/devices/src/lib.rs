@@ -16,6 +16,8 @@ pub mod parameter;
 pub mod pd42;
 pub mod pmx2ed;
 pub mod settings;
+#[cfg(test)]
+mod sizes;
 
 pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Notice, Pin, PinKind, ProgramRun, ProgramState, Wiring};

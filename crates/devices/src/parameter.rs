@@ -142,9 +142,20 @@ impl<const COUNT: usize> Values<COUNT> {
     ///
     /// # Panics
     /// If the table has another length.
-    pub fn new(table: &'static Table) -> Self {
-        assert_eq!(table.entries.len(), COUNT, "values for each entry");
-        Self { table, values: core::array::from_fn(|place| table.entries[place].default) }
+    pub const fn new(table: &'static Table) -> Self {
+        assert!(table.entries.len() == COUNT, "values for each entry");
+        let mut values = Self { table, values: [0; COUNT] };
+        values.reset();
+        values
+    }
+
+    /// The defaults again.
+    pub const fn reset(&mut self) {
+        let mut place = 0;
+        while place < COUNT {
+            self.values[place] = self.table.entries[place].default;
+            place += 1;
+        }
     }
 
     /// A value.

@@ -70,11 +70,13 @@ pub enum StoreError {
     Broken,
 }
 
-type Storage<F> = MapStorage<u16, Adapter<F>, Cache<Uncached, Uncached, Uncached, u16>>;
+type Storage<'a, F> = MapStorage<u16, &'a mut Adapter<F>, Cache<Uncached, Uncached, Uncached, u16>>;
 
 /// The store.
 pub struct Settings<F: Flash> {
-    storage: Storage<F>,
+    flash: Adapter<F>,
+    /// It was read, and can be written.
+    open: bool,
     /// The generation of each kind that counts.
     generations: [u32; 2],
     /// The newest one that any record has.
@@ -82,42 +84,50 @@ pub struct Settings<F: Flash> {
 }
 
 impl<F: Flash> Settings<F> {
-    /// Opens the store in a flash memory and hands over every record, the newest of a number last.
-    /// Memory that holds anything else is erased.
+    /// The store in a flash memory, which has to be [opened](Self::open).
+    pub const fn new(flash: F) -> Self {
+        Self { flash: Adapter(flash), open: false, generations: [0; 2], newest: [0; 2] }
+    }
+
+    /// Reads the flash memory, at power-up or again, and hands over every record, the newest of a number last.
+    /// Memory that holds anything else is erased. A store that could not be opened cannot be written.
     ///
     /// # Errors
     /// [`StoreError::PowerLost`] and [`StoreError::Broken`].
     ///
     /// # Panics
     /// If the flash has less than two pages.
-    pub fn open(flash: F, mut record: impl FnMut(Kind, Number, &[u8])) -> Result<Self, StoreError> {
-        let config = MapConfig::new(0..flash.capacity());
-        let storage = MapStorage::new(Adapter(flash), config, Cache::new_uncached());
-        let mut settings = Self { storage, generations: [0; 2], newest: [0; 2] };
-        if settings.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
-            at_once(settings.storage.erase_all()).map_err(store_error)?;
-            (settings.generations, settings.newest) = ([0; 2], [0; 2]);
+    pub fn open(&mut self, mut record: impl FnMut(Kind, Number, &[u8])) -> Result<(), StoreError> {
+        (self.open, self.generations, self.newest) = (false, [0; 2], [0; 2]);
+        if self.find_generations().is_err_and(|error| error != StoreError::PowerLost) {
+            at_once(self.storage().erase_all()).map_err(store_error)?;
         }
-        let generations = settings.generations;
-        settings.each(|key, generation, value| {
+        let generations = self.generations;
+        self.each(|key, generation, value| {
             let (kind, number) = Kind::of(key);
             if number != GENERATION_KEY && generation == generations[kind as usize] {
                 record(kind, number & !ODD, value);
             }
         })?;
-        Ok(settings)
+        self.open = true;
+        Ok(())
     }
 
-    /// Gives the flash back.
-    pub fn close(self) -> F {
-        self.storage.destroy().0.0
+    /// Whether the flash memory was read.
+    pub const fn is_open(&self) -> bool {
+        self.open
+    }
+
+    fn storage(&mut self) -> Storage<'_, F> {
+        let config = MapConfig::new(0..self.flash.0.capacity());
+        MapStorage::new(&mut self.flash, config, Cache::new_uncached())
     }
 
     /// Stores a record. When this returns, the new value is what the next start finds; if it fails, the
     /// next start finds the new value or the old one.
     ///
     /// # Errors
-    /// All of [`StoreError`].
+    /// All of [`StoreError`]; [`StoreError::PowerLost`] also if the store is not open.
     ///
     /// # Panics
     /// If the value is longer than [`MAX_VALUE_BYTES`] or the number is not below 2¹⁵ − 1.
@@ -195,7 +205,8 @@ impl<F: Flash> Settings<F> {
     fn each(&mut self, mut record: impl FnMut(u16, u32, &[u8])) -> Result<(), StoreError> {
         let mut buffer = [0; BUFFER_BYTES];
         let all = async {
-            let mut records = self.storage.fetch_all_items(&mut buffer).await?;
+            let mut storage = self.storage();
+            let mut records = storage.fetch_all_items(&mut buffer).await?;
             while let Some((key, bytes)) = records.next::<&[u8]>(&mut buffer).await? {
                 if let Some((generation, value)) = bytes.split_first_chunk() {
                     record(key, u32::from_le_bytes(*generation), value);
@@ -207,8 +218,11 @@ impl<F: Flash> Settings<F> {
     }
 
     fn write(&mut self, key: u16, record: &[u8]) -> Result<(), StoreError> {
+        if !self.open {
+            return Err(StoreError::PowerLost);
+        }
         let mut buffer = [0; BUFFER_BYTES];
-        at_once(self.storage.store_item(&mut buffer, &key, &record)).map_err(store_error)
+        at_once(self.storage().store_item(&mut buffer, &key, &record)).map_err(store_error)
     }
 }
 

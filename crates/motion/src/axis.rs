@@ -95,7 +95,7 @@ pub struct Axis {
 
 impl Axis {
     /// An axis at rest at position 0 at clock 0.
-    pub fn new(limits: Limits) -> Self {
+    pub const fn new(limits: Limits) -> Self {
         Self {
             limits: limits.clamped(),
             goal: Goal::Position(0),
@@ -113,12 +113,12 @@ impl Axis {
             leg: None,
             run: Run::NONE,
             course: None,
-            feet: [false, true].map(|rises| Foot::new(limits.scale, rises)),
+            feet: [Foot::new(limits.scale, false), Foot::new(limits.scale, true)],
         }
     }
 
     /// The limits in force.
-    pub fn limits(&self) -> Limits {
+    pub const fn limits(&self) -> Limits {
         self.limits
     }
 
@@ -512,11 +512,12 @@ impl Axis {
         if let Kind::Foot(at) = kind {
             return self.go_on_foot(at as u32, count, end);
         }
+        let from = self.pace.complete();
         let end = match (kind, &self.course) {
             (Kind::Curve(_), Some(course)) => course.pace(),
-            _ => self.pace.next(end),
+            _ => from.next(end),
         };
-        let ends = [self.pace, end];
+        let ends = [from, end];
         let train = match kind {
             Kind::Cruise => Train { interval: scale.spacing(self.pace.speed), count, ..self.still() },
             Kind::Glide => block::glide(scale, start, direction, count, ends),
@@ -539,8 +540,9 @@ impl Axis {
     #[inline(never)]
     fn go_on_foot(&mut self, at: u32, count: u32, end: SpeedSquared) {
         let foot = &mut self.feet[usize::from(end > self.pace.squared)];
-        let (train, span, end) = foot.train(at, count, self.since, self.direction, &self.pace);
+        let (train, span, speed) = foot.train(at, count, self.since, self.direction, &self.pace);
         let last = self.since.after(span);
+        let end = Pace::on_the_way(speed, end);
         self.leg = Some(Leg { train, end, last, kind: Kind::Foot(at.into()) });
     }
 

@@ -52,7 +52,7 @@ impl Encoder {
     ///
     /// # Panics
     /// With more than [`MAX_FRACTION_BITS`], or without counts a revolution.
-    pub fn new(fraction_bits: u32, prescaler: i32, counts_per_revolution: u32) -> Self {
+    pub const fn new(fraction_bits: u32, prescaler: i32, counts_per_revolution: u32) -> Self {
         assert!(fraction_bits <= MAX_FRACTION_BITS, "too many fraction bits");
         assert!(counts_per_revolution > 0, "a revolution has counts");
         Self {

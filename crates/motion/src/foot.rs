@@ -5,7 +5,7 @@
 //! every time, and another ends with the same: they are remembered. Three of them make a train, which can
 //! have any three spacings.
 
-use crate::speed::{Growth, Pace, Scale, SpeedSquared};
+use crate::speed::{Growth, Pace, Scale, Speed, SpeedSquared};
 use crate::train::{Direction, EVERY_SLOT, Moment, SubTicks, Train};
 
 /// Pulses that are remembered: as many as a word has bits.
@@ -31,16 +31,16 @@ pub(crate) struct Foot {
     key: Key,
     /// A bit for each pulse.
     known: u64,
-    /// Their spacings, and the paces with which they end.
+    /// Their spacings, and the speeds with which they end.
     spacings: [SubTicks; LENGTH as usize],
-    ends: [Pace; LENGTH as usize],
+    ends: [Speed; LENGTH as usize],
 }
 
 impl Foot {
     /// Nothing is known of any ramp.
-    pub fn new(scale: Scale, rises: bool) -> Self {
+    pub const fn new(scale: Scale, rises: bool) -> Self {
         let key = Key { scale, slow: 0, growth: 0, rises };
-        Self { key, known: 0, spacings: [0; LENGTH as usize], ends: [Pace::STILL; LENGTH as usize] }
+        Self { key, known: 0, spacings: [0; LENGTH as usize], ends: [0; LENGTH as usize] }
     }
 
     /// Forgets everything if the ramp is another one.
@@ -50,7 +50,7 @@ impl Foot {
         }
     }
 
-    /// The train of 1 to 3 pulses, how long it takes, and the pace with which it ends. `at` pulses lie between
+    /// The train of 1 to 3 pulses, how long it takes, and the speed with which it ends. `at` pulses lie between
     /// its first one and the slow end; `from` is the pace with which that one begins.
     #[inline(always)]
     pub fn train(
@@ -60,7 +60,7 @@ impl Foot {
         start: Moment,
         direction: Direction,
         from: &Pace,
-    ) -> (Train, SubTicks, Pace) {
+    ) -> (Train, SubTicks, Speed) {
         let rises = self.key.rises;
         let last = if rises { at + (count - 1) } else { at - (count - 1) };
         let lowest = at.min(last);
@@ -84,13 +84,14 @@ impl Foot {
     /// Finds the spacings and the ends of some pulses.
     #[cold]
     #[inline(never)]
-    fn learn(&mut self, at: u32, count: u32, mut from: Pace) {
+    fn learn(&mut self, at: u32, count: u32, from: Pace) {
+        let mut from = from.complete();
         let Key { scale, slow, growth, rises } = self.key;
         for pulse in 0..count {
             let at = if rises { at + pulse } else { at - pulse };
             let end = from.next(slow + growth * u64::from(if rises { at + 1 } else { at }));
             self.spacings[at as usize] = scale.mean_spacing(from.speed, end.speed);
-            self.ends[at as usize] = end;
+            self.ends[at as usize] = end.speed;
             self.known |= 1 << at;
             from = end;
         }
@@ -100,7 +101,7 @@ impl Foot {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::speed::square;
+    use crate::speed::{root, square};
 
     /// Pulse for pulse what single pulses would be, to the last bit; and again from memory.
     #[track_caller]
@@ -122,7 +123,7 @@ mod tests {
                             moment.after(key.scale.mean_spacing(pace(number - 1).speed, pace(number).speed));
                         assert_eq!(train.moment(number), moment, "{number} of {count} at {at}");
                     }
-                    assert_eq!((train.count, start.after(span), end), (count, moment, pace(count)));
+                    assert_eq!((train.count, start.after(span), end), (count, moment, pace(count).speed));
                 }
             }
         }
@@ -143,10 +144,11 @@ mod tests {
         let from = Pace::of_square(key.slow);
         let mut end = |key| {
             foot.suit(key);
-            foot.train(0, 1, Moment::at(0), Direction::Positive, &from).2.squared
+            foot.train(0, 1, Moment::at(0), Direction::Positive, &from).2
         };
-        assert_eq!(end(key), (1 << 40) + (1 << 36));
-        assert_eq!(end(Key { growth: 1 << 37, ..key }), (1 << 40) + (1 << 37));
-        assert_eq!(end(key), (1 << 40) + (1 << 36));
+        let slow = root((1 << 40) + (1 << 36));
+        assert_eq!(end(key), slow);
+        assert_eq!(end(Key { growth: 1 << 37, ..key }), root((1 << 40) + (1 << 37)));
+        assert_eq!(end(key), slow);
     }
 }

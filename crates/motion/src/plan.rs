@@ -60,14 +60,14 @@ pub struct Limits {
 
 impl Limits {
     /// Speeds between the slowest of the scale, so that every spacing fits a train, and the fastest.
-    pub(crate) fn clamped(self) -> Self {
+    pub(crate) const fn clamped(self) -> Self {
         let slowest = self.scale.slowest();
         Self {
-            top: self.top.clamp(slowest, MAX_SPEED),
-            start: self.start.clamp(slowest, MAX_SPEED),
-            stop: self.stop.clamp(slowest, MAX_SPEED),
-            growth: self.growth.clamp(1, MAX_GROWTH),
-            fall: self.fall.clamp(1, MAX_GROWTH),
+            top: clamp(self.top as u64, slowest as u64, MAX_SPEED as u64) as Speed,
+            start: clamp(self.start as u64, slowest as u64, MAX_SPEED as u64) as Speed,
+            stop: clamp(self.stop as u64, slowest as u64, MAX_SPEED as u64) as Speed,
+            growth: clamp(self.growth, 1, MAX_GROWTH),
+            fall: clamp(self.fall, 1, MAX_GROWTH),
             ..self
         }
     }
@@ -130,6 +130,17 @@ impl Limits {
     fn slack(&self, squared: SpeedSquared) -> u64 {
         // Some steps of v, whose root a power of two above stands for.
         (self.fall >> 12) + (8 << (u64::BITS - squared.leading_zeros()).div_ceil(2))
+    }
+}
+
+/// [`Ord::clamp`] for constants.
+const fn clamp(value: u64, least: u64, most: u64) -> u64 {
+    if value < least {
+        least
+    } else if value > most {
+        most
+    } else {
+        value
     }
 }
 

@@ -93,7 +93,7 @@ pub(crate) struct Pace {
     pub speed: Speed,
     /// v² itself, of which `speed` may be the rounded root.
     pub squared: SpeedSquared,
-    /// 2⁶³ / v, 0 for standstill.
+    /// 2⁶³ / v; 0 for standstill, and on the way along a foot.
     inverse: u64,
 }
 
@@ -104,6 +104,19 @@ impl Pace {
     /// The pace of a speed that is not 0.
     pub const fn of(speed: Speed) -> Self {
         Self { speed, squared: square(speed), inverse: (1 << 63) / speed as u64 }
+    }
+
+    /// A pace of which only speed and square are needed, unless the ramp goes on otherwise: then it has to be
+    /// [completed](Self::complete).
+    #[inline]
+    pub const fn on_the_way(speed: Speed, squared: SpeedSquared) -> Self {
+        Self { speed, squared, inverse: 0 }
+    }
+
+    /// The pace of a speed that is not 0, with all that belongs to it.
+    #[inline]
+    pub const fn complete(self) -> Self {
+        if self.inverse == 0 { Self { inverse: (1 << 63) / self.speed as u64, ..self } } else { self }
     }
 
     /// 2⁶³ / v, 0 for standstill.

@@ -10,12 +10,9 @@ pub struct Cells<I: 'static, const COUNT: usize> {
     table: &'static [Command<I>],
     axes: usize,
     /// The first cell of each entry.
-    firsts: Vec<u16, MAX_COMMANDS>,
+    firsts: &'static [u16],
     values: [i32; COUNT],
 }
-
-/// Most commands of a table.
-pub const MAX_COMMANDS: usize = 256;
 
 /// Bytes of a cell in flash: the entry's position in the table, the place, the value.
 const CELL_BYTES: usize = 6;
@@ -36,22 +33,34 @@ pub const fn count<I>(table: &[Command<I>], axes: usize) -> usize {
     cells
 }
 
+/// The first cell of each entry of a table on a device with so many axes.
+pub const fn firsts<I, const ENTRIES: usize>(table: &[Command<I>], axes: usize) -> [u16; ENTRIES] {
+    assert!(table.len() == ENTRIES, "a first cell for each entry");
+    let (mut firsts, mut entry, mut first) = ([0; ENTRIES], 0, 0);
+    while entry < ENTRIES {
+        firsts[entry] = first as u16;
+        first += table[entry].places(axes);
+        entry += 1;
+    }
+    firsts
+}
+
 impl<I: Id, const COUNT: usize> Cells<I, COUNT> {
-    /// All cells with their defaults.
+    /// All cells with their defaults. `firsts` is [`firsts`] of the table.
     ///
     /// # Panics
-    /// If `COUNT` is not the table's, or it has more than [`MAX_COMMANDS`] entries.
-    pub fn new(table: &'static [Command<I>], axes: usize) -> Self {
-        assert_eq!(count(table, axes), COUNT, "a cell for each number");
-        let mut cells = Self { table, axes, firsts: Vec::new(), values: [0; COUNT] };
-        let mut first = 0;
-        for command in table {
-            assert!(cells.firsts.push(first as u16).is_ok(), "room for each entry");
-            let places = command.places(axes);
-            for place in 0..places {
-                cells.values[first + place] = default(command, place);
+    /// If `COUNT` is not the table's.
+    pub const fn new(table: &'static [Command<I>], firsts: &'static [u16], axes: usize) -> Self {
+        assert!(count(table, axes) == COUNT && firsts.len() == table.len(), "a cell for each number");
+        let mut cells = Self { table, axes, firsts, values: [0; COUNT] };
+        let mut entry = 0;
+        while entry < table.len() {
+            let mut place = 0;
+            while place < table[entry].places(axes) {
+                cells.values[firsts[entry] as usize + place] = default(&table[entry], place);
+                place += 1;
             }
-            first += places;
+            entry += 1;
         }
         cells
     }
@@ -169,9 +178,11 @@ mod tests {
 
     type Small = Cells<Id, { count(TABLE, 2) }>;
 
+    static FIRSTS: [u16; TABLE.len()] = firsts(TABLE, 2);
+
     #[test]
     fn axes_take_the_global_value_until_they_have_their_own() {
-        let mut cells = Small::new(TABLE, 2);
+        let mut cells = Small::new(TABLE, &FIRSTS, 2);
         assert_eq!((cells.get(Id::Global), cells.at(Id::Global, 1), cells.of_axis(Id::Global, 1)), (3, 0, 3));
         cells.set_at(Id::Global, 1, -4);
         cells.set(Id::Global, 5);
@@ -181,7 +192,7 @@ mod tests {
 
     #[test]
     fn records_have_what_is_stored_and_not_the_default() {
-        let mut cells = Small::new(TABLE, 2);
+        let mut cells = Small::new(TABLE, &FIRSTS, 2);
         assert_eq!(cells.records().count(), 0);
         cells.set_at(Id::Lost, 0, 7);
         cells.set_at(Id::Global, 0, 2);
@@ -190,7 +201,7 @@ mod tests {
         }
         let records: heapless::Vec<_, 8> = cells.records().collect();
         assert_eq!(records.len(), 3);
-        let mut again = Small::new(TABLE, 2);
+        let mut again = Small::new(TABLE, &FIRSTS, 2);
         records.iter().for_each(|record| again.take(record));
         cells.set_at(Id::Lost, 0, 1);
         assert_eq!(again.values, cells.values);
@@ -199,9 +210,9 @@ mod tests {
     #[test]
     fn strange_records_change_nothing() {
         let check = |record: &[u8]| {
-            let mut cells = Small::new(TABLE, 2);
+            let mut cells = Small::new(TABLE, &FIRSTS, 2);
             cells.take(record);
-            assert_eq!(cells.values, Small::new(TABLE, 2).values, "{record:?}");
+            assert_eq!(cells.values, Small::new(TABLE, &FIRSTS, 2).values, "{record:?}");
         };
         check(&[]);
         check(&[1, 0, 2]);

@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::command::{Command, Id};
 use crate::flash::Flash;
-use crate::settings::{Kind, MAX_VALUE_BYTES, Number, Settings, StoreError};
+use crate::settings::{Kind, MAX_VALUE_BYTES, Settings, StoreError};
 use ascript::{Dialect, line::Line, vm};
 use heapless::Vec;
 
@@ -11,6 +11,8 @@ use heapless::Vec;
 pub struct Layout<I: 'static> {
     /// Its commands.
     pub table: &'static [Command<I>],
+    /// [`firsts`](super::cells::firsts) of them.
+    pub firsts: &'static [u16],
     /// The language of its programs.
     pub dialect: &'static Dialect,
     /// Variables from this one on are stored.
@@ -36,7 +38,7 @@ type Record = Vec<u8, MAX_VALUE_BYTES>;
 /// table.
 pub struct Memory<F: Flash, I: Id, const COUNT: usize, const LINES: usize, const VARIABLES: usize> {
     layout: &'static Layout<I>,
-    store: Option<Settings<F>>,
+    store: Settings<F>,
     /// The numbers that commands remember.
     pub cells: Cells<I, COUNT>,
     /// The device number, 0 to 99, as it was last set.
@@ -48,38 +50,38 @@ pub struct Memory<F: Flash, I: Id, const COUNT: usize, const LINES: usize, const
 impl<F: Flash, I: Id, const COUNT: usize, const LINES: usize, const VARIABLES: usize>
     Memory<F, I, COUNT, LINES, VARIABLES>
 {
-    /// Everything as it is after power-up. A flash that does not answer leaves the defaults.
-    pub fn open(flash: F, layout: &'static Layout<I>) -> Self {
-        let mut memory = Self {
+    /// Defaults and no program; the flash is still to be read.
+    pub const fn new(flash: F, layout: &'static Layout<I>) -> Self {
+        Self {
             layout,
-            store: None,
-            cells: Cells::new(layout.table, layout.dialect.axis_count().into()),
+            store: Settings::new(flash),
+            cells: Cells::new(layout.table, layout.firsts, layout.dialect.axis_count() as usize),
             number: layout.number,
             program: vm::Memory::new(),
-        };
-        memory.store = Settings::open(flash, |kind, number, value| memory.take(kind, number, value)).ok();
-        memory
+        }
     }
 
-    fn take(&mut self, kind: Kind, number: Number, record: &[u8]) {
-        if kind == Kind::Program {
-            let bytes = record.try_into().ok();
-            let line = bytes.and_then(|bytes| Line::from_bytes(bytes, self.layout.dialect));
-            if let Some(line) = line.filter(|_| usize::from(number) < LINES) {
-                self.program.set_line(number, line);
-            }
-            return;
-        }
-        match *record {
-            [CELLS, ref cells @ ..] => self.cells.take(cells),
-            [VARIABLE, first, ref values @ ..] => {
-                for (number, value) in (first..VARIABLES as u8).zip(values.as_chunks().0) {
-                    self.program.set_variable(number, i32::from_le_bytes(*value));
+    /// Reads everything as it is after power-up. A flash that does not answer leaves the defaults.
+    pub fn open(&mut self) {
+        let Self { layout, store, cells, number: device, program } = self;
+        // What was read before it stopped answering counts.
+        let _ = store.open(|kind, number, record| match (kind, record) {
+            (Kind::Program, _) => {
+                let bytes = record.try_into().ok();
+                let line = bytes.and_then(|bytes| Line::from_bytes(bytes, layout.dialect));
+                if let Some(line) = line.filter(|_| usize::from(number) < LINES) {
+                    program.set_line(number, line);
                 }
             }
-            [NUMBER, number @ 0..=MAX_NUMBER] => self.number = number,
-            _ => {}
-        }
+            (Kind::Setting, [CELLS, record @ ..]) => cells.take(record),
+            (Kind::Setting, [VARIABLE, first, values @ ..]) => {
+                for (number, value) in (*first..VARIABLES as u8).zip(values.as_chunks().0) {
+                    program.set_variable(number, i32::from_le_bytes(*value));
+                }
+            }
+            (Kind::Setting, [NUMBER, number @ 0..=MAX_NUMBER]) => *device = *number,
+            (Kind::Setting, _) => {}
+        });
     }
 
     /// `STORE`: all settings, in one step.
@@ -98,8 +100,7 @@ impl<F: Flash, I: Id, const COUNT: usize, const LINES: usize, const VARIABLES: u
             record
         });
         let number = core::iter::once(record(&[NUMBER, self.number], &[]));
-        let store = self.store.as_mut().ok_or(StoreError::PowerLost)?;
-        store.replace(Kind::Setting, cells.chain(variables).chain(number))
+        self.store.replace(Kind::Setting, cells.chain(variables).chain(number))
     }
 
     /// Sets a line of the program, in flash first.
@@ -111,8 +112,7 @@ impl<F: Flash, I: Id, const COUNT: usize, const LINES: usize, const VARIABLES: u
     /// If there is no such line.
     pub fn set_line(&mut self, number: u16, line: Line) -> Result<(), StoreError> {
         assert!(usize::from(number) < LINES, "lines are checked before");
-        let store = self.store.as_mut().ok_or(StoreError::PowerLost)?;
-        store.store(Kind::Program, number, &line.to_bytes())?;
+        self.store.store(Kind::Program, number, &line.to_bytes())?;
         self.program.set_line(number, line);
         Ok(())
     }

@@ -17,9 +17,14 @@ pub struct Ports {
 }
 
 impl Ports {
-    /// Ports of a device with this number.
-    pub const fn new(address: u8) -> Self {
-        Self { receivers: [Receiver::new(), Receiver::new()], address }
+    /// Ports of a device that is switched off.
+    pub const fn new() -> Self {
+        Self { receivers: [Receiver::new(), Receiver::new()], address: 0 }
+    }
+
+    /// The device number at power-up.
+    pub const fn power_on(&mut self, address: u8) {
+        self.address = address;
     }
 
     /// The device number in force.

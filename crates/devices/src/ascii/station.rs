@@ -81,7 +81,7 @@ pub const SIDES: [Direction; 2] = [Direction::Positive, Direction::Negative];
 
 impl Station {
     /// An axis at power-up.
-    pub fn new(encoder: Encoder) -> Self {
+    pub const fn new(encoder: Encoder) -> Self {
         Self {
             task: Task::Rest,
             errors: [false; 2],

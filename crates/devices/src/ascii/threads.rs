@@ -85,9 +85,9 @@ impl<const N: usize> Threads<N> {
     pub const HOST: usize = N - 1;
 
     /// Threads that do nothing.
-    pub fn new(line: LineTime) -> Self {
-        let thread = || Timed { thread: Thread::new(), next_at: 0, hold: None, failed_at: None };
-        Self { threads: core::array::from_fn(|_| thread()), line }
+    pub const fn new(line: LineTime) -> Self {
+        let threads = [const { Timed { thread: Thread::new(), next_at: 0, hold: None, failed_at: None } }; N];
+        Self { threads, line }
     }
 
     /// Changes how long a line takes, before anything has started.

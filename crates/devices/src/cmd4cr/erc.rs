@@ -23,7 +23,7 @@ pub enum Occasion {
 }
 
 /// The output of an axis.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct ErrorClear {
     /// When the pulse begins and when it ends.
     pulse: Option<(Ticks, Ticks)>,
@@ -31,6 +31,10 @@ pub struct ErrorClear {
 }
 
 impl ErrorClear {
+    pub const fn new() -> Self {
+        Self { pulse: None, on: false }
+    }
+
     /// Whether the output is on.
     pub const fn is_on(&self) -> bool {
         self.on

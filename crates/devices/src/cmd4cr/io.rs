@@ -18,7 +18,7 @@ const PORTS_IN: i32 = 1;
 const PORTS_OUT: i32 = 1 << 1;
 
 /// Levels and states of the pins.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Io {
     /// Levels of the high-speed inputs, DI1 in bit 0.
     inputs: u32,
@@ -43,6 +43,24 @@ pub struct Io {
 }
 
 impl Io {
+    pub const fn new() -> Self {
+        Self {
+            inputs: 0,
+            outputs: 0,
+            synchronised: 0,
+            sync_outputs: 0,
+            port_inputs: 0,
+            port_outputs: 0,
+            enables: 0,
+            limits: [[false; 2]; AXIS_COUNT],
+            alarms: [false; AXIS_COUNT],
+            in_positions: [false; AXIS_COUNT],
+            emergency: false,
+            start: false,
+            drives: [None; AXIS_COUNT],
+        }
+    }
+
     /// The driver stages, once they were told what to do.
     pub const fn drives(&self) -> [Option<Drive>; AXIS_COUNT] {
         self.drives

@@ -15,4 +15,6 @@ pub type Memory<F> = memory::Memory<F, Id, { cells::count(COMMANDS, AXIS_COUNT) 
 
 /// All variables are stored; the identification number from the factory is 01 (manual, 3.3).
 pub static LAYOUT: memory::Layout<Id> =
-    memory::Layout { table: COMMANDS, dialect: &COMMANDER, stored_from: 0, number: 1 };
+    memory::Layout { table: COMMANDS, firsts: &FIRSTS, dialect: &COMMANDER, stored_from: 0, number: 1 };
+
+static FIRSTS: [u16; COMMANDS.len()] = cells::firsts(COMMANDS, AXIS_COUNT);

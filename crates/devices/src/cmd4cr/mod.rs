@@ -106,34 +106,43 @@ pub struct Cmd4cr<F: Flash> {
 impl<F: Flash> Cmd4cr<F> {
     /// A controller that has just been switched on, at clock 0.
     pub fn new(flash: F) -> Self {
-        let memory = Memory::open(flash, &memory::LAYOUT);
-        let stations = core::array::from_fn(|axis| {
-            let word = memory.cells.at(table::Id::Polarity, axis);
-            let (shift, reversed) = polarity::encoder(word);
-            let mut encoder = Encoder::new(0, shift);
-            encoder.set_counting(shift, reversed, 0);
-            Station::new(encoder)
-        });
-        let ports = Ports::new(memory.number);
+        let mut controller = Self::off(flash);
+        controller.power_on();
+        controller
+    }
+
+    /// A controller that is switched off: it can be a static, and is then [switched on](Self::power_on) where it
+    /// is.
+    pub const fn off(flash: F) -> Self {
         Self {
             now: 0,
-            memory,
-            axes: core::array::from_fn(|_| motion::resting()),
-            stations,
+            memory: Memory::new(flash, &memory::LAYOUT),
+            axes: [const { motion::resting() }; AXIS_COUNT],
+            stations: [const { Station::new(Encoder::new(0, 0)) }; AXIS_COUNT],
             guards: [Guard::new(); AXIS_COUNT],
-            clears: [ErrorClear::default(); AXIS_COUNT],
-            captures: core::array::from_fn(|_| Capture::new()),
-            pulsers: core::array::from_fn(|_| Pulser::new()),
+            clears: [ErrorClear::new(); AXIS_COUNT],
+            captures: [const { Capture::new() }; AXIS_COUNT],
+            pulsers: [const { Pulser::new() }; AXIS_COUNT],
             rides: heapless::Vec::new(),
             buffer: Buffer::new(),
             waiting: Waiting::new(),
             incremental: false,
-            io: io::Io::default(),
-            ports,
+            io: io::Io::new(),
+            ports: Ports::new(),
             programs: Threads::new(LineTime::of_micros(LINE_MICROS, HZ)),
             tick_at: None,
             started: false,
             dead: false,
+        }
+    }
+
+    /// Switches the controller on, once and before anything else, at clock 0.
+    pub fn power_on(&mut self) {
+        self.memory.open();
+        self.ports.power_on(self.memory.number);
+        for axis in 0..AXIS_COUNT {
+            let (shift, reversed) = polarity::encoder(self.polarity(axis));
+            self.stations[axis].encoder.set_counting(shift, reversed, 0);
         }
     }
 

@@ -48,7 +48,7 @@ pub fn axes_in(bits: u8) -> impl Iterator<Item = usize> + Clone {
 }
 
 /// An axis before its first motion, which brings limits with it.
-pub fn resting() -> Axis {
+pub const fn resting() -> Axis {
     let profile = Profile { low_pps: 1, high_pps: 1, acceleration_ms: 1, deceleration_ms: 1, s_curve: false };
     Axis::new(profile.limits(pps::scale(1, HZ), HZ))
 }

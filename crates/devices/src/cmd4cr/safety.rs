@@ -34,7 +34,7 @@ pub struct Guard {
 }
 
 impl Guard {
-    pub fn new() -> Self {
+    pub const fn new() -> Self {
         Self {
             limits: resting().limits(),
             alarm: false,

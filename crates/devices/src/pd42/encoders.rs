@@ -37,7 +37,7 @@ pub struct Encoders {
 }
 
 impl Encoders {
-    pub fn new() -> Self {
+    pub const fn new() -> Self {
         Self {
             internal: Encoder::new(9, 25_600, COUNTS_A_TURN),
             external: Encoder::new(8, 256, 1),

@@ -20,7 +20,7 @@ const COORDINATE_RECORD: Number = 0x0300;
 
 /// Parameters, coordinates and their store.
 pub struct Memory<F: Flash> {
-    store: Option<Settings<F>>,
+    store: Settings<F>,
     /// Axis parameters.
     pub axis: Values<{ ap::COUNT }>,
     /// Global parameters of bank 0.
@@ -40,29 +40,52 @@ struct Stored {
 }
 
 impl Stored {
-    fn new() -> Self {
+    const fn new() -> Self {
         Self {
             axis: Values::new(ap::TABLE),
             variables: [0; gp::STORABLE_VARIABLES as usize],
             coordinates: [0; COORDINATES],
         }
     }
+
+    /// Takes a record; those of parameters of bank 0 and of the program are nowhere else.
+    fn take(
+        &mut self,
+        module: &mut Values<{ gp::module::COUNT }>,
+        vm: &mut Vm,
+        kind: Kind,
+        number: Number,
+        value: &[u8],
+    ) {
+        if kind == Kind::Program {
+            if let Some(command) = read_command(value) {
+                // Records beyond the memory would be another firmware's.
+                let _ = vm.store(number.into(), command);
+            }
+        } else if number == COORDINATE_RECORD {
+            for (coordinate, bytes) in self.coordinates[1..].iter_mut().zip(value.as_chunks().0) {
+                *coordinate = i32::from_le_bytes(*bytes);
+            }
+        } else if let Ok(bytes) = value.try_into() {
+            let value = i32::from_le_bytes(bytes);
+            let low = number as u8;
+            match number & !0xFF {
+                AXIS_RECORDS if known(ap::TABLE, low, value) => self.axis.set(low, value),
+                MODULE_RECORDS if known(gp::module::TABLE, low, value) => module.set(low, value),
+                VARIABLE_RECORDS if low < gp::STORABLE_VARIABLES => {
+                    self.variables[usize::from(low)] = value;
+                }
+                _ => {}
+            }
+        }
+    }
 }
 
 impl<F: Flash> Memory<F> {
-    /// Reads everything as it is after power-up; `vm` gets the program and the user variables. A flash
-    /// that does not answer leaves the defaults.
-    pub fn open(flash: F, vm: &mut Vm) -> Self {
-        let mut memory = Self::closed();
-        memory.store = Settings::open(flash, |kind, number, value| memory.take(vm, kind, number, value)).ok();
-        memory.restore_all(vm);
-        memory
-    }
-
-    /// Defaults, without a store.
-    pub fn closed() -> Self {
+    /// Defaults; the flash is still to be read.
+    pub const fn new(flash: F) -> Self {
         Self {
-            store: None,
+            store: Settings::new(flash),
             axis: Values::new(ap::TABLE),
             module: Values::new(gp::module::TABLE),
             interrupts: Values::new(gp::interrupts::TABLE),
@@ -71,33 +94,22 @@ impl<F: Flash> Memory<F> {
         }
     }
 
-    /// The store, to switch the module off and on.
-    pub fn close(self) -> Option<F> {
-        self.store.map(Settings::close)
+    /// Reads everything as it is after power-up, at power-up or again; `vm` gets the program and the user
+    /// variables. A flash that does not answer leaves the defaults.
+    pub fn open(&mut self, vm: &mut Vm) {
+        self.module.reset();
+        self.interrupts.reset();
+        self.coordinates = [0; COORDINATES];
+        self.stored = Stored::new();
+        let Self { store, module, stored, .. } = self;
+        // What was read before it stopped answering counts.
+        let _ = store.open(|kind, number, value| stored.take(module, vm, kind, number, value));
+        self.restore_all(vm);
     }
 
-    fn take(&mut self, vm: &mut Vm, kind: Kind, number: Number, value: &[u8]) {
-        if kind == Kind::Program {
-            if let Some(command) = read_command(value) {
-                // Records beyond the memory would be another firmware's.
-                let _ = vm.store(number.into(), command);
-            }
-        } else if number == COORDINATE_RECORD {
-            for (coordinate, bytes) in self.stored.coordinates[1..].iter_mut().zip(value.as_chunks().0) {
-                *coordinate = i32::from_le_bytes(*bytes);
-            }
-        } else if let Ok(bytes) = value.try_into() {
-            let value = i32::from_le_bytes(bytes);
-            let low = number as u8;
-            match number & !0xFF {
-                AXIS_RECORDS if known(ap::TABLE, low, value) => self.stored.axis.set(low, value),
-                MODULE_RECORDS if known(gp::module::TABLE, low, value) => self.module.set(low, value),
-                VARIABLE_RECORDS if low < gp::STORABLE_VARIABLES => {
-                    self.stored.variables[usize::from(low)] = value;
-                }
-                _ => {}
-            }
-        }
+    /// Whether flash answered.
+    pub const fn is_open(&self) -> bool {
+        self.store.is_open()
     }
 
     fn restore_all(&mut self, vm: &mut Vm) {
@@ -216,7 +228,7 @@ impl<F: Flash> Memory<F> {
     /// # Errors
     /// As [`Settings::forget`].
     pub fn forget(&mut self, kind: Kind) -> Result<(), StoreError> {
-        self.store.as_mut().ok_or(StoreError::PowerLost)?.forget(kind)
+        self.store.forget(kind)
     }
 
     fn write(&mut self, number: Number, value: i32) -> Result<(), StoreError> {
@@ -224,7 +236,7 @@ impl<F: Flash> Memory<F> {
     }
 
     fn record(&mut self, kind: Kind, number: Number, value: &[u8]) -> Result<(), StoreError> {
-        self.store.as_mut().ok_or(StoreError::PowerLost)?.store(kind, number, value)
+        self.store.store(kind, number, value)
     }
 }
 

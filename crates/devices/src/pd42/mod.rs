@@ -55,12 +55,16 @@ pub const FLASH_BYTES: u32 = 48 * crate::flash::PAGE_BYTES;
 pub const VERSION: &[u8; 8] = b"1140V147";
 
 /// Inputs that are on or off: stop left, stop right, home and the digital reading of the analog one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Inputs {
     left: bool,
     right: bool,
     home: bool,
     analog: bool,
+}
+
+impl Inputs {
+    const OFF: Self = Self { left: false, right: false, home: false, analog: false };
 }
 
 /// The module.
@@ -77,7 +81,8 @@ pub struct Pd42<F: Flash> {
     vm: Vm,
     program: program::Program,
     wire: Wire,
-    random: Pcg32,
+    /// Random numbers; none while the module is switched off.
+    random: Option<Pcg32>,
     inputs: Inputs,
     outputs: [bool; 2],
     pull_ups: bool,
@@ -90,30 +95,40 @@ pub struct Pd42<F: Flash> {
 impl<F: Flash> Pd42<F> {
     /// A module that has just been switched on, at clock 0. Random numbers start from `seed`.
     pub fn new(flash: F, seed: u64) -> Self {
-        let mut vm = Vm::new();
-        let memory = Memory::open(flash, &mut vm);
-        let axis = Axis::new(motion::limits(&memory));
-        let mut module = Self {
+        let mut module = Self::off(flash);
+        module.power_on(seed);
+        module
+    }
+
+    /// A module that is switched off: it can be a static, and is then [switched on](Self::power_on) where it is.
+    pub const fn off(flash: F) -> Self {
+        Self {
             now: 0,
             timer_zero: 0,
             command_clocks: COMMAND_CLOCKS,
-            memory,
-            axis,
+            memory: Memory::new(flash),
+            axis: Axis::new(motion::RESTING),
             motion: Motion::new(),
             power: Power::new(),
             encoders: Encoders::new(),
-            vm,
+            vm: Vm::new(),
             program: program::Program::new(),
             wire: Wire::new(),
-            random: Pcg32::new(seed, RANDOM_STREAM),
-            inputs: Inputs::default(),
+            random: None,
+            inputs: Inputs::OFF,
             outputs: [false; 2],
             pull_ups: true,
             tick_at: None,
             dead: false,
-        };
-        module.start();
-        module
+        }
+    }
+
+    /// Switches the module on, once and before anything else, at clock 0. Random numbers start from `seed`.
+    pub fn power_on(&mut self, seed: u64) {
+        self.random = Some(Pcg32::new(seed, RANDOM_STREAM));
+        self.memory.open(&mut self.vm);
+        self.axis.set_limits(motion::limits(&self.memory));
+        self.start();
     }
 
     /// Sets how many clocks a program command takes.
@@ -136,14 +151,13 @@ impl<F: Flash> Pd42<F> {
 
     /// Command 255: as switching off and on. The axis stops at once; the shaft stays where it is.
     fn reset(&mut self, board: &mut dyn Board) {
-        let mut vm = Vm::new();
-        // The store is read anew, as at power-up.
-        let Some(flash) = core::mem::replace(&mut self.memory, Memory::closed()).close() else {
+        if !self.memory.is_open() {
             self.dead = true;
             return;
-        };
-        self.memory = Memory::open(flash, &mut vm);
-        self.vm = vm;
+        }
+        // The store is read anew, as at power-up.
+        self.vm.power_on();
+        self.memory.open(&mut self.vm);
         self.axis.halt();
         self.axis.set_position(0);
         self.axis.set_goal(::motion::Goal::Position(0));

@@ -46,6 +46,17 @@ impl Motion {
     }
 }
 
+/// Limits of an axis before it has those of the parameters.
+pub const RESTING: Limits = Limits {
+    scale: tmc429::scale(0),
+    top: tmc429::speed(1),
+    start: tmc429::speed(1),
+    stop: tmc429::speed(1),
+    growth: 1,
+    fall: 1,
+    shape: Shape::Trapezoid,
+};
+
 /// The kernel's limits from the parameters.
 pub fn limits<F: Flash>(memory: &Memory<F>) -> Limits {
     let get = |number| memory.axis.get(number) as u32;

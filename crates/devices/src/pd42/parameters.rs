@@ -133,7 +133,7 @@ impl<F: Flash> Pd42<F> {
             gp::module::DOWNLOAD_MODE => self.program.download.is_some().into(),
             gp::module::PROGRAM_COUNTER => self.vm.counter().into(),
             gp::module::TICK_TIMER => self.timer_ms(),
-            gp::module::RANDOM => (self.random.next_u32() >> 1) as i32,
+            gp::module::RANDOM => self.random_number(),
             _ => self.memory.module.get(number),
         })
     }
@@ -181,12 +181,16 @@ impl<F: Flash> Pd42<F> {
             gp::module::TICK_TIMER => {
                 self.timer_zero = i128::from(self.now) - i128::from(value) * i128::from(MILLISECOND);
             }
-            gp::module::RANDOM => self.random = SeedableRng::seed_from_u64(value as u64),
+            gp::module::RANDOM => self.random = Some(SeedableRng::seed_from_u64(value as u64)),
             gp::module::SWITCH_POLARITY => self.apply_blocks(),
             gp::module::REVERSE_SHAFT => self.configure_encoders(board),
             _ => {}
         }
         Ok(())
+    }
+
+    fn random_number(&mut self) -> i32 {
+        self.random.as_mut().map_or(0, |random| (random.next_u32() >> 1) as i32)
     }
 
     /// Stores a user variable (`STGP`).

@@ -14,7 +14,7 @@ const STEP: i16 = 1;
 const CURRENT: u8 = 32;
 
 /// Levels of the pins.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Io {
     /// Levels of the digital inputs, DI1 in bit 0.
     inputs: u8,
@@ -28,6 +28,16 @@ pub struct Io {
 }
 
 impl Io {
+    pub const fn new() -> Self {
+        Self {
+            inputs: 0,
+            outputs: 0,
+            enables: 0,
+            limits: [[false; 2]; AXIS_COUNT],
+            drives: [None; AXIS_COUNT],
+        }
+    }
+
     /// The driver stages, once they were told what to do.
     pub const fn drives(&self) -> [Option<Drive>; AXIS_COUNT] {
         self.drives

@@ -15,4 +15,6 @@ pub type Memory<F> = memory::Memory<F, Id, { cells::count(COMMANDS, AXIS_COUNT) 
 
 /// The upper half of the variables is stored.
 pub static LAYOUT: memory::Layout<Id> =
-    memory::Layout { table: COMMANDS, dialect: &PERFORMAX_2, stored_from: 32, number: 0 };
+    memory::Layout { table: COMMANDS, firsts: &FIRSTS, dialect: &PERFORMAX_2, stored_from: 32, number: 0 };
+
+static FIRSTS: [u16; COMMANDS.len()] = cells::firsts(COMMANDS, AXIS_COUNT);

@@ -77,25 +77,36 @@ pub struct Pmx2ed<F: Flash> {
 impl<F: Flash> Pmx2ed<F> {
     /// A controller that has just been switched on, at clock 0.
     pub fn new(flash: F) -> Self {
-        let memory = Memory::open(flash, &memory::LAYOUT);
-        let stations = core::array::from_fn(|axis| {
-            let word = memory.cells.at(table::Id::Polarity, axis);
-            Station::new(Encoder::new(0, polarity::decoding_shift(word)))
-        });
-        let wire = Wire::new(memory.number);
+        let mut controller = Self::off(flash);
+        controller.power_on();
+        controller
+    }
+
+    /// A controller that is switched off: it can be a static, and is then [switched on](Self::power_on) where it
+    /// is.
+    pub const fn off(flash: F) -> Self {
         Self {
             now: 0,
-            memory,
-            axes: core::array::from_fn(|_| motion::resting()),
-            stations,
+            memory: Memory::new(flash, &memory::LAYOUT),
+            axes: [const { motion::resting() }; AXIS_COUNT],
+            stations: [const { Station::new(Encoder::new(0, 0)) }; AXIS_COUNT],
             line: None,
             incremental: false,
-            io: io::Io::default(),
-            wire,
+            io: io::Io::new(),
+            wire: Wire::new(),
             programs: Threads::new(LineTime::of_micros(LINE_MICROS, pps::CLOCK_HZ)),
             tick_at: None,
             started: false,
             dead: false,
+        }
+    }
+
+    /// Switches the controller on, once and before anything else, at clock 0.
+    pub fn power_on(&mut self) {
+        self.memory.open();
+        self.wire.power_on(self.memory.number);
+        for axis in 0..AXIS_COUNT {
+            self.stations[axis].encoder.set_decoding(polarity::decoding_shift(self.polarity(axis)), 0);
         }
     }
 

@@ -17,7 +17,7 @@ use ::motion::pps::{self, CLOCK_HZ, PERFORMAX, Profile};
 use ::motion::{Axis, Direction, Goal, Limits, Shape};
 
 /// An axis before its first motion, which brings limits with it.
-pub fn resting() -> Axis {
+pub const fn resting() -> Axis {
     let profile = Profile { low_pps: 1, high_pps: 1, acceleration_ms: 1, deceleration_ms: 1, s_curve: false };
     Axis::new(profile.limits(pps::scale(1, CLOCK_HZ), CLOCK_HZ))
 }

@@ -20,8 +20,13 @@ pub struct Wire {
 }
 
 impl Wire {
-    pub const fn new(address: u8) -> Self {
-        Self { ports: Ports::new(address), heard_at: 0, timed_out: false }
+    pub const fn new() -> Self {
+        Self { ports: Ports::new(), heard_at: 0, timed_out: false }
+    }
+
+    /// The device number at power-up.
+    pub const fn power_on(&mut self, address: u8) {
+        self.ports.power_on(address);
     }
 
     /// The last two digits of the device name, as they were at power-up.

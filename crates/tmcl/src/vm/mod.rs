@@ -188,6 +188,31 @@ impl Vm {
         }
     }
 
+    /// As new, where it is.
+    pub fn power_on(&mut self) {
+        let Self {
+            memory,
+            variables,
+            registers,
+            counter,
+            stack,
+            interrupts,
+            mode,
+            step,
+            pending,
+            breakpoints,
+            past_breakpoint,
+            instructions,
+        } = self;
+        memory.fill(Command::EMPTY);
+        variables.fill(0);
+        (*registers, *counter, *interrupts) = (Registers::RESET, 0, Interrupts::new());
+        (*mode, *step, *pending) = (Mode::Stop, false, Pending::Nothing);
+        stack.clear();
+        breakpoints.clear();
+        (*past_breakpoint, *instructions) = (false, 0);
+    }
+
     /// The accumulator, which `AAP`, `MVPA`, `ROLA` and others take their value from.
     pub const fn accumulator(&self) -> i32 {
         self.registers.accumulator

@@ -1,0 +1,71 @@
+//! How big controllers are, and that they can be statics: a chip has neither an allocator nor a stack for them.
+
+use crate::cmd4cr::Cmd4cr;
+use crate::flash::{Flash, FlashError, PAGE_BYTES};
+use crate::pd42::Pd42;
+use crate::pmx2ed::Pmx2ed;
+use crate::{Controller, ProgramRun};
+use motion::{Axis, Path};
+use std::sync::Mutex;
+
+/// Flash that does not answer.
+struct Silent;
+
+impl Flash for Silent {
+    fn capacity(&self) -> u32 {
+        2 * PAGE_BYTES
+    }
+
+    fn read(&mut self, _: u32, _: &mut [u8]) -> Result<(), FlashError> {
+        Err(FlashError::PowerLost)
+    }
+
+    fn write(&mut self, _: u32, _: &[u8]) -> Result<(), FlashError> {
+        Err(FlashError::PowerLost)
+    }
+
+    fn erase(&mut self, _: u32, _: u32) -> Result<(), FlashError> {
+        Err(FlashError::PowerLost)
+    }
+}
+
+/// Bytes on a host with 64 bits; a chip with 32 takes a little less.
+const PD42_BYTES: usize = 22_200;
+const PMX2ED_BYTES: usize = 24_700;
+const CMD4CR_BYTES: usize = 51_800;
+const AXIS_BYTES: usize = 2_400;
+const PATH_BYTES: usize = 2_900;
+
+#[test]
+fn controllers_do_not_grow_unseen() {
+    for (name, size, bound) in [
+        ("Pd42", size_of::<Pd42<Silent>>(), PD42_BYTES),
+        ("Pmx2ed", size_of::<Pmx2ed<Silent>>(), PMX2ED_BYTES),
+        ("Cmd4cr", size_of::<Cmd4cr<Silent>>(), CMD4CR_BYTES),
+        ("Axis", size_of::<Axis>(), AXIS_BYTES),
+        ("Path", size_of::<Path<4>>(), PATH_BYTES),
+    ] {
+        assert!(size <= bound, "{name} has {size} bytes, more than {bound}");
+        assert!(size * 20 > bound * 19, "{name} has {size} bytes, {bound} is too generous");
+    }
+}
+
+#[test]
+fn controllers_are_switched_on_where_they_are() {
+    static PD42: Mutex<Pd42<Silent>> = Mutex::new(Pd42::off(Silent));
+    static PMX2ED: Mutex<Pmx2ed<Silent>> = Mutex::new(Pmx2ed::off(Silent));
+    static CMD4CR: Mutex<Cmd4cr<Silent>> = Mutex::new(Cmd4cr::off(Silent));
+    let check = |controller: &dyn Controller| {
+        assert_eq!(controller.program(0).map(|program| program.run), Some(ProgramRun::Idle));
+    };
+    let mut pd42 = PD42.lock().unwrap();
+    pd42.power_on(1);
+    check(&*pd42);
+    let mut pmx2ed = PMX2ED.lock().unwrap();
+    pmx2ed.power_on();
+    check(&*pmx2ed);
+    let mut cmd4cr = CMD4CR.lock().unwrap();
+    cmd4cr.power_on();
+    check(&*cmd4cr);
+    assert_eq!((pmx2ed.number(), cmd4cr.number()), (0, 1));
+}
