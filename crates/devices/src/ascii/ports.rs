@@ -16,6 +16,12 @@ pub struct Ports {
     address: u8,
 }
 
+impl Default for Ports {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Ports {
     /// Ports of a device that is switched off.
     pub const fn new() -> Self {
