@@ -3,7 +3,7 @@
 import pytest
 from pylablib.devices import Arcus
 
-from server import Server
+from server import serve
 
 PERFORMAX_INTERFACES = ["pty", "tcp"]
 AXES = ["X", "Y"]
@@ -61,7 +61,7 @@ def performax_server(tmp_path_factory, performax_speed):
     bench = folder / "bench.toml"
     bench.write_text("".join(BENCH.format(name=name, endpoint=endpoint) for name, endpoint in devices))
     arguments = ["--bench", str(bench), "--speed", str(performax_speed)]
-    with Server(*arguments, devices=len(devices), http=True) as server:
+    with serve(*arguments, devices=len(devices), http=True) as server:
         yield server
 
 

@@ -9,6 +9,8 @@ import threading
 import urllib.parse
 import urllib.request
 
+import images
+
 PROGRAM = pathlib.Path(
     os.environ.get("PULSETRAIN", pathlib.Path(__file__).parents[1] / "target/release/pulsetrain")
 )
@@ -79,6 +81,13 @@ class Server:
         status = self.stop()
         if kind is None:
             assert status == 0, f"the server ended with status {status}"
+
+
+def serve(*arguments, devices, http=False):
+    """What the tests talk to: a server, or firmware images in its place where the environment names them."""
+    if images.FOLDER:
+        return images.Images(*arguments, devices=devices)
+    return Server(*arguments, devices=devices, http=http)
 
 
 def pulsetrain(*arguments):

@@ -40,6 +40,7 @@ def test_refusals(stage, command, reply):
     replied(stage, command, reply)
 
 
+@pytest.mark.server_only
 def test_addresses_on_a_shared_bus(tmp_path):
     """Two devices, first named one by one, then on one line."""
     bus, state = tmp_path / "bus", ["--state", str(tmp_path / "state")]

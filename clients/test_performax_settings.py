@@ -3,14 +3,14 @@
 import pytest
 
 from performax import performax_connect, replied
-from server import Server
+from server import serve
 
 
 @pytest.fixture(params=["pty", "tcp"])
 def bench(request, tmp_path):
     """A server with one device of its own, whose power may be switched."""
     endpoint = f"pty:{tmp_path / 'pty'}" if request.param == "pty" else "tcp:127.0.0.1:0"
-    with Server(f"pmx-2ed=stage@{endpoint}", devices=1, http=True) as server:
+    with serve(f"pmx-2ed=stage@{endpoint}", devices=1, http=True) as server:
         stage = performax_connect(server.endpoints["stage"])
         yield server, stage
         stage.close()

@@ -5,9 +5,10 @@ import signal
 import pytest
 
 from trinamic import connect
-from server import Server
+from server import Server, serve
 
 
+@pytest.mark.server_only
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_it_with_status_0(tmp_path, how):
     link = tmp_path / "pty"
@@ -21,7 +22,7 @@ def test_a_signal_ends_it_with_status_0(tmp_path, how):
 def test_settings_survive_in_the_state_folder(tmp_path):
     arguments = ["pd42-1140@tcp:127.0.0.1:0", "--state", str(tmp_path / "state")]
     for write in [True, False]:
-        with Server(*arguments, devices=1) as server, connect("tcp", server.endpoints["pd42-1140"]) as connection:
+        with serve(*arguments, devices=1) as server, connect("tcp", server.endpoints["pd42-1140"]) as connection:
             if write:
                 connection.set_and_store_axis_parameter(4, 0, 321)
                 connection.set_and_store_global_parameter(10, 2, -99)

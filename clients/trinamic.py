@@ -4,10 +4,12 @@ import pytest
 from pytrinamic.connections import ConnectionManager
 from pytrinamic.modules import TMCM1140
 
-from server import Server
+from images import FOLDER
+from server import serve
 from waiting import until
 
-INTERFACES = ["pty", "tcp", "slcan"]
+# An image has no CAN.
+INTERFACES = ["pty", "tcp"] if FOLDER else ["pty", "tcp", "slcan"]
 
 # The reference searches run on a short axis: the whole way takes less than a second.
 BENCH = """
@@ -53,7 +55,7 @@ def server(tmp_path_factory):
     """One server with a device for each interface, given on the command line."""
     folder = tmp_path_factory.mktemp("server")
     devices = [f"pd42-1140={interface}@{endpoint(interface, folder)}" for interface in INTERFACES]
-    with Server(*devices, devices=len(devices)) as server:
+    with serve(*devices, devices=len(devices)) as server:
         yield server
 
 
@@ -63,7 +65,7 @@ def bench_server(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bench")
     bench = folder / "bench.toml"
     bench.write_text("".join(BENCH.format(name=name, endpoint=endpoint(name, folder)) for name in INTERFACES))
-    with Server("--bench", str(bench), devices=len(INTERFACES)) as server:
+    with serve("--bench", str(bench), devices=len(INTERFACES)) as server:
         yield server
 
 

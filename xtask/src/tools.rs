@@ -3,7 +3,7 @@
 
 use crate::workplace::{Workplace, read, run, succeeds};
 use anyhow::{Context, Result, bail};
-use std::{fs, path::PathBuf};
+use std::{fs, path::PathBuf, process::Command};
 
 const NEXTEST: &str = "0.9.143";
 const CARGO_FUZZ: &str = "0.13.2";
@@ -19,6 +19,14 @@ pub fn cargo_fuzz(workplace: &Workplace) -> Result<()> {
         debian_package(workplace, "g++", "the command c++")?;
     }
     cargo_tool(workplace, "fuzz", "cargo-fuzz", CARGO_FUZZ)
+}
+
+/// `qemu-system-arm`.
+pub fn qemu(workplace: &Workplace) -> Result<()> {
+    if succeeds(&mut workplace.command("qemu-system-arm", &["--version"])) {
+        return Ok(());
+    }
+    debian_package(workplace, "qemu-system-arm", "the command qemu-system-arm")
 }
 
 /// The name of an installed nightly toolchain.
@@ -69,19 +77,27 @@ fn cargo_tool(workplace: &Workplace, subcommand: &str, package: &str, version: &
 
 /// Installs a Debian package, as root or with a sudo that asks for no password.
 fn debian_package(workplace: &Workplace, package: &str, what: &str) -> Result<()> {
+    let install = ["install", "-qq", "--yes", "--no-install-recommends", package];
+    debian_update(workplace)
+        .and_then(|()| run(&mut apt_get(workplace, &install)?))
+        .with_context(|| format!("{what} is missing: apt-get install {package}"))
+}
+
+/// Fetches the list of Debian packages.
+pub fn debian_update(workplace: &Workplace) -> Result<()> {
+    run(&mut apt_get(workplace, &["update", "-qq"])?)
+}
+
+/// `apt-get` with the rights that it needs.
+fn apt_get(workplace: &Workplace, arguments: &[&str]) -> Result<Command> {
     let root = read(&mut workplace.command("id", &["-u"])).is_ok_and(|id| id.trim() == "0");
     let sudo: &[&str] = if root {
         &[]
     } else if succeeds(&mut workplace.command("sudo", &["-n", "true"])) {
         &["sudo", "-n"]
     } else {
-        bail!("{what} is missing, and only root may install it: apt-get install {package}");
+        bail!("only root may install Debian packages");
     };
-    let apt = |arguments: &[&str]| {
-        let words = [sudo, &["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"], arguments].concat();
-        run(&mut workplace.command(words[0], &words[1..]))
-    };
-    apt(&["update", "-qq"])?;
-    apt(&["install", "-qq", "--yes", "--no-install-recommends", package])
-        .with_context(|| format!("{what} is missing"))
+    let words = [sudo, &["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"], arguments].concat();
+    Ok(workplace.command(words[0], &words[1..]))
 }

@@ -42,6 +42,11 @@ impl Workplace {
         self.root.join("fuzz/Cargo.toml")
     }
 
+    /// The manifest of the images for microcontrollers: a workspace of their own, for another target.
+    pub fn firmware_manifest(&self) -> PathBuf {
+        self.root.join("firmware/Cargo.toml")
+    }
+
     fn path(&self) -> OsString {
         let inherited = env::var_os("PATH").unwrap_or_default();
         let all = [self.target.join("tools/bin")].into_iter().chain(env::split_paths(&inherited));

@@ -53,6 +53,16 @@ impl Counter {
         (scaled + self.denominator / 2).div_euclid(self.denominator) as i64
     }
 
+    /// Counts for positions, in lowest terms.
+    pub fn ratio(&self) -> (i64, i64) {
+        let (mut a, mut b) = (i128::from(self.numerator.abs()), self.denominator);
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        // A configuration has no more than 64 bits in either.
+        (self.numerator / a as i64, (self.denominator / a) as i64)
+    }
+
     /// The positions at which it has counted so far down or up from where it stands; they turn around where
     /// it counts backwards.
     pub fn edge(&self, shaft: &Shaft, down: u32, up: u32) -> Edge {

@@ -7,6 +7,7 @@ mod encoder;
 pub(crate) mod fitting;
 mod servo;
 mod shaft;
+mod table;
 mod zone;
 
 use crate::config::DeviceConfig;
@@ -17,6 +18,7 @@ use motion::{Ticks, Train};
 use servo::Servo;
 pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
+pub use table::{EncoderRow, MachineTable, PinRow, ZoneRow};
 use zone::Zone;
 
 /// The machine of one device.

@@ -61,6 +61,12 @@ impl Zone {
         Self { first, last, more: More::Every(every) }
     }
 
+    /// Its first interval, and after how many positions that comes again.
+    pub const fn interval(&self) -> (i64, i64, Option<i64>) {
+        let every = if let More::Every(every) = self.more { Some(every) } else { None };
+        (self.first, self.last, every)
+    }
+
     /// Whether it is on at `position`.
     pub fn is_on(&self, position: i64) -> bool {
         let folded = self.folded(position);

@@ -1,0 +1,44 @@
+//! Images in QEMU: for users, and under the tests of `clients/`.
+
+use super::build::{EMULATED, folder};
+use crate::{
+    rust, tools,
+    workplace::{Workplace, run},
+};
+use anyhow::Result;
+use std::{fs, path::PathBuf, process::Command};
+
+/// Builds what tells the emulated boards which machine hangs on their pins.
+fn machines(workplace: &Workplace) -> Result<PathBuf> {
+    // The profile of the tests, whose build it then shares.
+    workplace.cargo(&["build", "--quiet", "--locked", "--profile", "test", "-p", "sim", "--examples"])?;
+    Ok(workplace.target.join("debug/examples"))
+}
+
+/// A controller in QEMU until it is interrupted.
+pub fn serve(workplace: &Workplace, model: &str, arguments: &[&str]) -> Result<()> {
+    tools::qemu(workplace)?;
+    let examples = machines(workplace)?;
+    let mut command = workplace.command("python3", &["clients/image.py", model]);
+    command.arg("--images").arg(folder(workplace, EMULATED)).args(arguments);
+    run(command.env("PULSETRAIN_EXAMPLES", examples))
+}
+
+/// The tests of `clients/` against images in place of the server. Gives the file of the figures that they took
+/// down.
+pub fn test(workplace: &Workplace) -> Result<PathBuf> {
+    tools::qemu(workplace)?;
+    let python = tools::python(workplace)?;
+    let examples = machines(workplace)?;
+    rust::binary(workplace)?;
+    let figures = workplace.target.join("firmware/figures.json");
+    fs::write(&figures, "")?;
+    let mut command: Command = workplace.command(python, &["-m", "pytest", "clients"]);
+    command
+        .env("PULSETRAIN", workplace.target.join("release/pulsetrain"))
+        .env("PULSETRAIN_IMAGES", folder(workplace, EMULATED))
+        .env("PULSETRAIN_EXAMPLES", examples)
+        .env("PULSETRAIN_FIGURES", &figures);
+    run(&mut command)?;
+    Ok(figures)
+}
