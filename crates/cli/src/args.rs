@@ -86,7 +86,7 @@ pub struct RunArgs {
     /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
     #[arg(long, value_name = "TIME:PIN=VALUE")]
     pub at: Vec<TimedInput>,
-    /// Write what happened to a file (.csv)
+    /// Write what happened to a file (.csv, .mcap or .vcd)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
     /// Draw what happened (.svg)

@@ -404,17 +404,13 @@ impl VirtualDevice {
         self.world.add_recorder(recorder);
     }
 
-    /// Ends all recordings.
+    /// Ends all recordings, with a sample of the end where they have samples.
     ///
     /// # Errors
     /// The first [`RecordError`]; the other recordings are finished all the same.
     pub fn finish_recordings(&mut self) -> Result<(), RecordError> {
-        let now = self.now();
-        let mut result = Ok(());
-        for mut recorder in self.world.take_recorders() {
-            result = result.and(recorder.finish(now));
-        }
-        result
+        let states = self.axis_states();
+        self.world.finish_recordings(&states)
     }
 
     fn axis_index(&self, name: &str) -> Result<usize, AxisError> {
@@ -490,8 +486,12 @@ impl VirtualDevice {
         (0..self.axes().len()).map(|axis| Movement::of(&self.axis(axis))).collect()
     }
 
+    fn axis_states(&mut self) -> Vec<AxisState> {
+        (0..self.axes().len()).map(|axis| self.axis(axis)).collect()
+    }
+
     fn record(&mut self) {
-        let states: Vec<_> = (0..self.axes().len()).map(|axis| self.axis(axis)).collect();
+        let states = self.axis_states();
         for (axis, state) in states.iter().enumerate() {
             let before = std::mem::replace(&mut self.movements[axis], Movement::of(state));
             for mark in before.marks(state) {

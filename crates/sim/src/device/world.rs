@@ -4,7 +4,7 @@ use crate::{
     SharedFlash,
     config::DeviceConfig,
     machine::{Edge, Machine},
-    record::{Mark, Recorder},
+    record::{Mark, RecordError, Recorder},
 };
 use devices::{AxisState, Board, Controller, Drive, Pin, PinKind, Port};
 use motion::{Moment, Ticks, Train};
@@ -297,8 +297,17 @@ impl World {
         self.recordings.push(Recording { recorder, next_sample });
     }
 
-    pub fn take_recorders(&mut self) -> Vec<Box<dyn Recorder + Send>> {
-        self.recordings.drain(..).map(|recording| recording.recorder).collect()
+    /// Ends the recordings. The axes are shown once more, since they may have moved after the last sample.
+    pub fn finish_recordings(&mut self, states: &[AxisState]) -> Result<(), RecordError> {
+        let now = self.now();
+        let mut result = Ok(());
+        for Recording { mut recorder, next_sample } in self.recordings.drain(..) {
+            if recorder.sample_every().is_some_and(|every| next_sample < now.saturating_add(every)) {
+                show(&mut *recorder, now, states);
+            }
+            result = result.and(recorder.finish(now));
+        }
+        result
     }
 
     pub fn is_recording(&self) -> bool {
@@ -317,9 +326,7 @@ impl World {
             if *next_sample > now {
                 continue;
             }
-            for (axis, state) in states.iter().enumerate() {
-                recorder.sample(now, axis, state);
-            }
+            show(&mut **recorder, now, states);
             let every = recorder.sample_every().map_or(Ticks::MAX, |every| every.max(1));
             *next_sample = next_sample.saturating_add(every);
         }
@@ -425,6 +432,12 @@ impl Board for World {
 fn is_between(count: i32, (low, high): (i32, i32)) -> bool {
     let (beyond, whole) = (count.wrapping_sub(low) as u32, high.wrapping_sub(low) as u32);
     beyond != 0 && (beyond < whole || whole == 0)
+}
+
+fn show(recorder: &mut (dyn Recorder + Send), now: Ticks, states: &[AxisState]) {
+    for (axis, state) in states.iter().enumerate() {
+        recorder.sample(now, axis, state);
+    }
 }
 
 #[cfg(test)]

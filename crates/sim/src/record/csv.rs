@@ -138,27 +138,14 @@ fn decimal_thousandths(value: i64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use devices::{Pin, PinKind, Wiring};
+    use crate::record::testing::stage;
     use motion::{Direction, Moment, train::EVERY_SLOT};
     use std::io;
-
-    static PINS: &[Pin] = &[Pin {
-        name: "SUPPLY",
-        kind: PinKind::Analog,
-        wiring: Wiring::Supply,
-        unit: "V",
-        scale: 1000,
-        rest: 24_000,
-    }];
-
-    fn info() -> RecordInfo {
-        RecordInfo { device: "stage".into(), clock_hz: 16_000_000, axes: &["0"], pins: PINS }
-    }
 
     #[track_caller]
     fn check(detail: Detail, expected: &str) {
         let mut bytes = Vec::new();
-        let mut recorder = CsvRecorder::new(&mut bytes, "a.csv", &info(), detail);
+        let mut recorder = CsvRecorder::new(&mut bytes, "a.csv", &stage(), detail);
         recorder.pin(0, 0, 12_500);
         recorder.drive(8, 0, Drive { step: 1, parts: 1, current: 31 });
         let start = Moment::at(16);
@@ -178,15 +165,15 @@ mod tests {
     }
 
     const HEAD: &str = "seconds,event,axis,position,encoder,speed,target,status,pin,value\n\
-        0,pin,,,,,,,SUPPLY,12.5\n\
-        0.0000005,drive,0,,,,,,,31\n";
-    const TAIL: &str = "1,sample,0,-1,-2,-1.500,7,3,,\n\
-        1.0000000625,target_reached,0,,,,,,,\n";
+        0,pin,,,,,,,motor supply,12.5\n\
+        0.0000005,drive,X,,,,,,,31\n";
+    const TAIL: &str = "1,sample,X,-1,-2,-1.500,7,3,,\n\
+        1.0000000625,target_reached,X,,,,,,,\n";
 
     #[test]
     fn rows_are_events_and_samples() {
         check(Detail::Samples, &format!("{HEAD}{TAIL}"));
-        let pulses = "0.000002,pulse,0,,,,,,,-1\n0.000003,pulse,0,,,,,,,-2\n0.000004,pulse,0,,,,,,,-1\n";
+        let pulses = "0.000002,pulse,X,,,,,,,-1\n0.000003,pulse,X,,,,,,,-2\n0.000004,pulse,X,,,,,,,-1\n";
         check(Detail::Edges, &format!("{HEAD}{pulses}{TAIL}"));
     }
 
@@ -204,7 +191,7 @@ mod tests {
             }
         }
 
-        let mut recorder = CsvRecorder::new(Full, "a.csv", &info(), Detail::Samples);
+        let mut recorder = CsvRecorder::new(Full, "a.csv", &stage(), Detail::Samples);
         for _ in 0..10_000 {
             recorder.sample(0, 0, &AxisState::default());
         }

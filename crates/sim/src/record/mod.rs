@@ -5,9 +5,13 @@
 //! long as the disk is large. A format is one file here and one line in [`create`].
 
 mod csv;
+mod mcap;
 mod svg;
+mod vcd;
 
 pub use self::csv::{CsvRecorder, Detail};
+pub use self::mcap::McapRecorder;
+pub use self::vcd::VcdRecorder;
 pub use svg::SvgRecorder;
 
 use devices::{AxisState, Drive, Pin};
@@ -70,7 +74,7 @@ pub enum RecordError {
 }
 
 /// The extensions of all formats.
-pub const FORMATS: &str = ".csv, .svg";
+pub const FORMATS: &str = ".csv, .mcap, .svg, .vcd";
 
 /// Takes down what happens. Times are clocks of device time and never fall, except that a train is told
 /// of when it is over.
@@ -110,11 +114,13 @@ pub fn create(path: &Path, info: &RecordInfo) -> Result<Box<dyn Recorder + Send>
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
     match extension {
         "csv" => Ok(Box::new(CsvRecorder::new(open(path)?, path, info, Detail::Samples))),
+        "mcap" => Ok(Box::new(McapRecorder::new(open(path)?, path, info)?)),
         "svg" => {
             // An unwritable place is better known before the run.
             open(path)?;
             Ok(Box::new(SvgRecorder::new(path, info)))
         }
+        "vcd" => Ok(Box::new(VcdRecorder::new(open(path)?, path, info))),
         _ => Err(RecordError::Format(path.into())),
     }
 }
@@ -133,6 +139,41 @@ pub fn decimal_seconds(ticks: Ticks, clock_hz: u32) -> String {
     let (whole, fraction) = (scaled / 10_u128.pow(DIGITS as u32), scaled % 10_u128.pow(DIGITS as u32));
     let text = format!("{whole}.{fraction:0DIGITS$}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Clocks as whole nanoseconds; an edge is in the one in which its clock begins.
+fn nanoseconds(ticks: Ticks, clock_hz: u32) -> u64 {
+    (u128::from(ticks) * 1_000_000_000 / u128::from(clock_hz)) as u64
+}
+
+/// A device for the tests of the formats.
+#[cfg(test)]
+mod testing {
+    use super::RecordInfo;
+    use devices::{Pin, PinKind, Wiring};
+
+    static PINS: &[Pin] = &[
+        Pin {
+            name: "motor supply",
+            kind: PinKind::Analog,
+            wiring: Wiring::Supply,
+            unit: "V",
+            scale: 1000,
+            rest: 24_000,
+        },
+        Pin {
+            name: "+LX",
+            kind: PinKind::Input,
+            wiring: Wiring::PositiveLimit(0),
+            unit: "",
+            scale: 1,
+            rest: 0,
+        },
+    ];
+
+    pub fn stage() -> RecordInfo {
+        RecordInfo { device: "left stage".into(), clock_hz: 16_000_000, axes: &["X"], pins: PINS }
+    }
 }
 
 #[cfg(test)]

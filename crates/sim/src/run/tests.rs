@@ -107,7 +107,7 @@ fn a_run_is_recorded() {
     let directory = std::env::temp_dir().join(format!("pulsetrain-run-{}", std::process::id()));
     std::fs::create_dir_all(&directory).unwrap();
     let mut module = device();
-    for name in ["run.csv", "run.svg"] {
+    for name in ["run.csv", "run.mcap", "run.svg", "run.vcd"] {
         let recorder = record::create(&directory.join(name), &module.record_info()).unwrap();
         module.add_recorder(recorder);
     }
@@ -116,7 +116,8 @@ fn a_run_is_recorded() {
     let csv = std::fs::read_to_string(directory.join("run.csv")).unwrap();
     let rows = |event: &str| csv.lines().filter(|line| line.split(',').nth(1) == Some(event)).count();
     assert_eq!((rows("target_reached"), rows("stopped")), (3, 0));
-    assert_eq!(rows("sample"), (result.device_seconds * 1000.0) as usize + 1);
+    // One a millisecond, and one of the end.
+    assert_eq!(rows("sample"), (result.device_seconds * 1000.0) as usize + 2);
     let svg = std::fs::read_to_string(directory.join("run.svg")).unwrap();
     for text in
         ["pd42-1140", "position", "speed", "acceleration", "target reached", "switch", "HOME", "time / s"]
@@ -124,9 +125,23 @@ fn a_run_is_recorded() {
         assert!(svg.contains(text), "{text}");
     }
     assert!(svg.len() < 200_000, "{} bytes", svg.len());
+    let rises = std::fs::read(directory.join("run.vcd")).unwrap();
+    let mut rises = vcd::Parser::new(&rises[..]);
+    let step = rises.parse_header().unwrap().find_var(&["pd42-1140", "axis_0", "step_0"]).unwrap().code;
+    let rise = vcd::Command::ChangeScalar(step, vcd::Value::V1);
+    let rises = rises.filter(|command| command.as_ref().is_ok_and(|command| *command == rise)).count();
+    assert_eq!(rises as u64, result.axes["0"].steps);
+    let messages = std::fs::read(directory.join("run.mcap")).unwrap();
+    let messages = mcap::MessageStream::new(&messages).unwrap().map(Result::unwrap);
+    let last = messages.filter(|message| message.channel.topic == "/pd42-1140/axis/0").last().unwrap();
+    let last: serde_json::Value = serde_json::from_slice(&last.data).unwrap();
+    assert_eq!(last["position"], result.axes["0"].position);
     std::fs::remove_dir_all(directory).unwrap();
     let error = record::create(std::path::Path::new("a.xyz"), &module.record_info()).err().unwrap();
-    assert_eq!(error.to_string(), "a.xyz: no recording format with this extension, known: .csv, .svg");
+    assert_eq!(
+        error.to_string(),
+        "a.xyz: no recording format with this extension, known: .csv, .mcap, .svg, .vcd"
+    );
 }
 
 fn stage() -> VirtualDevice {

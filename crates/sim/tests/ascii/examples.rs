@@ -58,13 +58,13 @@ pub fn counted_moves(number: u8, source: &str) {
 pub fn moves_on_input(number: u8, source: &str) {
     let mut rig = Rig::new();
     rig.start(number, source);
-    assert_eq!(turns(&mut rig, 1000), []);
+    assert_eq!(turns(&mut rig, 1000), [0; 0]);
     rig.pin("DI1", true);
     assert!(turns(&mut rig, 3000).len() > 5);
     rig.pin("DI1", false);
     // It finishes its round.
     turns(&mut rig, 2000);
-    assert_eq!(turns(&mut rig, 1000), []);
+    assert_eq!(turns(&mut rig, 1000), [0; 0]);
     rig.check("PX", "1000");
 }
 

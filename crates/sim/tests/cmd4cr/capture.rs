@@ -189,5 +189,5 @@ fn the_synchronisation_window() {
     rig.check("SYNSX", "0");
     rig.ok("X0");
     let none = edges(&mut rig, "DO1");
-    assert_eq!(at(none), []);
+    assert_eq!(at(none), [0; 0]);
 }

@@ -120,7 +120,7 @@ fn factory_settings() {
     rig.ok(11, 3, 2, 0);
     assert_eq!(rig.send(137, 0, 0, 1).0, INVALID_VALUE);
     assert_eq!(rig.gap(4), 555);
-    assert_eq!(raw(&mut rig, 137, 0, 1234), [], "no reply");
+    assert_eq!(raw(&mut rig, 137, 0, 1234), [0; 0], "no reply");
     rig.device.power_cycle();
     assert_eq!((rig.gap(4), rig.ggp(3, 2)), (1000, 0));
 }
@@ -151,12 +151,12 @@ fn position_reached_events() {
         rig.device.drain_sent().flat_map(|sent| sent.bytes).collect()
     };
     rig.move_to(1000);
-    assert_eq!(reached(&mut rig), [], "nobody asked");
+    assert_eq!(reached(&mut rig), [0; 0], "nobody asked");
     rig.ok(138, 0, 0, 1);
     rig.move_to(2000);
     assert_eq!(reached(&mut rig), event);
     rig.move_to(3000);
-    assert_eq!(reached(&mut rig), [], "once only");
+    assert_eq!(reached(&mut rig), [0; 0], "once only");
     rig.ok(138, 1, 0, 1);
     for target in [4000, 5000, 5000] {
         let request = Request { address: 1, opcode: 4, kind: 0, motor: 0, value: target };
@@ -165,7 +165,7 @@ fn position_reached_events() {
         assert_eq!(sent.split_off(9), event, "every time, {target}");
     }
     rig.sap(0, 6000);
-    assert_eq!(reached(&mut rig), [], "only after MVP");
+    assert_eq!(reached(&mut rig), [0; 0], "only after MVP");
     assert_eq!(rig.send(138, 2, 0, 1).0, WRONG_TYPE);
     assert_eq!(rig.send(138, 1, 0, 2).0, INVALID_VALUE);
 }

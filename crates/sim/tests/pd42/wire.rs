@@ -30,15 +30,15 @@ fn a_wrong_checksum_executes_nothing() {
 fn addresses() {
     let mut rig = Rig::new();
     let to_nine = [9, 6, 4, 0, 0, 0, 0, 0, 19];
-    assert_eq!(rig.bytes(Port::Rs485, &to_nine), []);
+    assert_eq!(rig.bytes(Port::Rs485, &to_nine), [0; 0]);
     assert_eq!(rig.bytes(Port::Usb, &to_nine).len(), 9, "USB is point to point");
-    assert_eq!(rig.bytes(Port::Rs485, &[9, 6, 4, 0, 0, 0, 0, 0, 1]), [], "not even a checksum error");
+    assert_eq!(rig.bytes(Port::Rs485, &[9, 6, 4, 0, 0, 0, 0, 0, 1]), [0; 0], "not even a checksum error");
 }
 
 #[test]
 fn partial_frames_time_out() {
     let mut rig = Rig::new();
-    assert_eq!(rig.bytes(Port::Usb, &[1, 6, 4]), []);
+    assert_eq!(rig.bytes(Port::Usb, &[1, 6, 4]), [0; 0]);
     rig.pass_ms(49);
     assert_eq!(rig.bytes(Port::Usb, &[0, 0, 0, 0, 0, 11]).len(), 9, "still one frame");
     rig.bytes(Port::Usb, &[1, 6, 4]);
@@ -67,7 +67,7 @@ fn can_frames_of_seven_and_eight_bytes() {
     assert_eq!(rig.bytes(Port::Can, &[0, 1, 6, 4, 0, 0, 0, 0, 0]), [0, 2, 1, 100, 6, 0, 0, 3, 232]);
     assert_eq!(rig.bytes(Port::Can, &[0, 1, 6, 4, 0, 0, 0, 0, 0, 77]), [0, 2, 1, 100, 6, 0, 0, 3, 232, 0]);
     for frame in [&[0, 1, 6, 4][..], &[0, 3, 6, 4, 0, 0, 0, 0, 0], &[0, 1], &[]] {
-        assert_eq!(rig.bytes(Port::Can, frame), [], "{frame:?}");
+        assert_eq!(rig.bytes(Port::Can, frame), [0; 0], "{frame:?}");
     }
     // The version as text, seven or eight characters of it.
     assert_eq!(rig.bytes(Port::Can, &[0, 1, 136, 0, 0, 0, 0, 0, 0]), b"\x00\x021140V14");
