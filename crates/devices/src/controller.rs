@@ -169,6 +169,9 @@ pub trait Controller {
     /// there: [`advance`](Self::advance) passes over it.
     fn wake(&self) -> Ticks;
 
+    /// Whether pulses are on their way. If not, nothing at all happens before [`wake`](Self::wake).
+    fn is_moving(&self) -> bool;
+
     /// Bytes arrive at a port.
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board);
 

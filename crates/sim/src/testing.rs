@@ -193,6 +193,10 @@ impl Controller for TestController {
         }
     }
 
+    fn is_moving(&self) -> bool {
+        self.pulses_left() > 0
+    }
+
     fn receive(&mut self, _port: Port, bytes: &[u8], board: &mut dyn Board) {
         let value = u64::from_le_bytes(bytes[1..].try_into().unwrap());
         match bytes[0] {

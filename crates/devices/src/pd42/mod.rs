@@ -307,6 +307,10 @@ impl<F: Flash> Controller for Pd42<F> {
         self.due().min(program)
     }
 
+    fn is_moving(&self) -> bool {
+        self.axis.is_moving()
+    }
+
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
         for &byte in if port == Port::Can { &[] } else { bytes } {
             self.serial_byte(port, byte, board);

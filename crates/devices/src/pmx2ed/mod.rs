@@ -269,6 +269,10 @@ impl<F: Flash> Controller for Pmx2ed<F> {
         }
     }
 
+    fn is_moving(&self) -> bool {
+        self.line.is_some() || self.axes.iter().any(Axis::is_moving)
+    }
+
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
         self.start(board);
         for &byte in if port == Port::Can { &[] } else { bytes } {

@@ -87,6 +87,10 @@ impl Controller for Parrot {
         self.due.map_or(u64::MAX, |(at, _)| at)
     }
 
+    fn is_moving(&self) -> bool {
+        false
+    }
+
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
         if port == Port::Can {
             return board.send(port, bytes, 0);
