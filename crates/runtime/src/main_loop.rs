@@ -55,7 +55,7 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
         assert!(controller.axes().len() == AXES, "the queues are for other axes");
         assert!(hardware.ports().len() <= MAX_PORTS, "too many ports");
         let now = u64::from(hardware.now());
-        let until = now + u64::from(H::Timer::HZ / LEAD);
+        let until = now + u64::from(H::Timer::HZ / TICK_HZ * HORIZON);
         let clock = Clock::new(controller.clock_hz(), H::Timer::HZ, until);
         let mut pins = Pins::new(controller.pins());
         for axis in 0..AXES {
@@ -66,6 +66,9 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
         main.poll_analog();
         main.poll_pins(true);
         main.advance_to(0);
+        // From here on the clock must go with the timer; setting the outputs may have taken long.
+        let now = main.outside.look();
+        main.begin_at(now + u64::from(H::Timer::HZ / TICK_HZ * HORIZON));
         main
     }
 
@@ -177,8 +180,9 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
         let now = self.outside.look();
         let earliest = now + u64::from(H::Timer::HZ / LEAD);
         if earliest > self.until {
-            self.outside.slip(earliest - self.until);
-            self.until = earliest;
+            self.outside.figures.slips += 1;
+            self.outside.figures.slipped_ticks += earliest - self.until;
+            self.begin_at(earliest);
         }
         self.until = self.until.max(now + u64::from(H::Timer::HZ / TICK_HZ * HORIZON));
         let (hz, target) = (self.controller.clock_hz(), self.outside.clock.at(self.until));
@@ -188,6 +192,12 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
         if target > self.reached && (!idle || target - self.reached > Ticks::from(hz / IDLE_HZ)) {
             self.advance_to(target);
         }
+    }
+
+    /// The plan goes on at a later tick.
+    fn begin_at(&mut self, tick: u64) {
+        self.outside.clock.slip(tick.saturating_sub(self.until));
+        self.until = self.until.max(tick);
     }
 
     /// Before something happens to the controller its clock is that up to which the plan is complete.

@@ -65,14 +65,6 @@ impl<'q, H: Hardware, const AXES: usize> Outside<'q, H, AXES> {
         self.now.saturating_sub(self.shift)
     }
 
-    /// The controller's clock stands still for so long.
-    pub fn slip(&mut self, ticks: u64) {
-        self.clock.slip(ticks);
-        self.due += ticks;
-        self.figures.slips += 1;
-        self.figures.slipped_ticks += ticks;
-    }
-
     /// Nothing to do until the next interrupt.
     pub fn rest(&mut self) {
         self.look();

@@ -12,19 +12,18 @@ pub struct Pages<F> {
 }
 
 impl<F: NorFlash> Pages<F> {
-    /// So many bytes of a flash memory, from `first` on.
+    /// So many bytes of a flash memory, from `first` on. The memory refuses what it does not have.
     ///
     /// # Panics
     /// If they are not whole pages of the memory.
-    pub fn new(flash: F, first: u32, bytes: u32) -> Self {
+    pub const fn new(flash: F, first: u32, bytes: u32) -> Self {
         const {
             assert!(F::READ_SIZE == 1, "bytes are read one by one");
             assert!((WORD_BYTES as usize).is_multiple_of(F::WRITE_SIZE), "words do not divide ours");
             assert!((PAGE_BYTES as usize).is_multiple_of(F::ERASE_SIZE), "pages do not divide ours");
         }
         let whole = first.is_multiple_of(F::ERASE_SIZE as u32) && bytes.is_multiple_of(PAGE_BYTES);
-        let end = first.checked_add(bytes).and_then(|end| usize::try_from(end).ok());
-        assert!(whole && end.is_some_and(|end| end <= flash.capacity()), "there are no such pages");
+        assert!(whole && first.checked_add(bytes).is_some(), "there are no such pages");
         Self { flash, first, bytes }
     }
 

@@ -15,8 +15,8 @@ use heapless::spsc::{Producer, Queue};
 /// Segments that an axis has room for, and one.
 pub const SEGMENTS: usize = 16;
 
-/// Events that there is room for, and one.
-pub const EVENTS: usize = 16;
+/// Events that there is room for, and one: a command may change 32 ports.
+pub const EVENTS: usize = 48;
 
 const _: () = assert!(size_of::<Segment>() <= 48 && size_of::<Event>() <= 12, "RAM is scarce");
 
