@@ -2,7 +2,7 @@
 //!
 //! A panic handler [stores](store) the cause, the next start [takes](take) it. The page begins with a head that is
 //! written last, so that a cause is there as a whole or not at all; then come the text, and at its end a mark that it
-//! was taken. Until the next one is stored it can be [read](read) all the same.
+//! was taken. Until the next one is stored it can be [read] all the same.
 
 use core::fmt::{self, Display, Write as _};
 use embedded_storage::nor_flash::NorFlash;

@@ -1,8 +1,8 @@
 //! The part of a firmware image between a controller and a board.
 //!
 //! A controller acts in its own time and says afterwards which pulses it made; pins want each of them in its tick. So
-//! the [main loop](main_loop) advances the controller a little ahead of time, [queues](queues) keep what it gives
-//! out, and the [player](player), in the interrupt of one timer, puts that on the pins. A board implements the traits of
+//! the [main loop](main_loop) advances the controller a little ahead of time, [queues] keep what it gives
+//! out, and the [player], in the interrupt of one timer, puts that on the pins. A board implements the traits of
 //! [`hardware`], an image puts the three together:
 //!
 //! ```ignore

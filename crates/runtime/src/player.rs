@@ -2,7 +2,7 @@
 //!
 //! It plays what is due, finds out what is next, sets the alarm for that and leaves. What is nearer than the way out
 //! and in again it waits for. What it finds too late to be played on time moves everything after it: pulses never come
-//! in a burst, the plan as a whole is behind from then on ([`Shared::shift`]).
+//! in a burst, the plan as a whole is behind from then on.
 
 use crate::hardware::{MAX_AXES, Pins, Timer, TimerTicks};
 use crate::queues::{Event, Shared, What, starved};

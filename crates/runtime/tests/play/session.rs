@@ -111,8 +111,18 @@ struct Planned {
     moment: Moment,
 }
 
+/// Something else that it planned.
+#[derive(Debug, PartialEq)]
+struct Event {
+    clock: u64,
+    what: What,
+    /// How many pulses of each axis come before.
+    after: Vec<usize>,
+}
+
 impl<C: Controller> Heard<C> {
-    fn planned(&self) -> (Vec<Vec<Planned>>, Vec<(u64, What, Vec<usize>)>) {
+    /// The pulses of each axis, and everything else.
+    fn planned(&self) -> (Vec<Vec<Planned>>, Vec<Event>) {
         let axes = self.tap.axes().len();
         let (mut pulses, mut events) = (vec![Vec::new(); axes], Vec::new());
         for given in &self.tap.given {
@@ -123,7 +133,8 @@ impl<C: Controller> Heard<C> {
                     moment: train.moment(k),
                 })),
                 Given::Event(clock, what) => {
-                    events.push((*clock, *what, pulses.iter().map(Vec::len).collect()));
+                    let after = pulses.iter().map(Vec::len).collect();
+                    events.push(Event { clock: *clock, what: *what, after });
                 }
             }
         }
@@ -158,8 +169,8 @@ impl<C: Controller> Heard<C> {
                     seen[*axis] += 1;
                 }
                 event => {
-                    let (_, planned, before) = events.pop().expect("nothing that was not planned");
-                    assert_eq!((*event, &seen), (planned, &before), "at {at}");
+                    let planned = events.pop().expect("nothing that was not planned");
+                    assert_eq!((*event, &seen), (planned.what, &planned.after), "at {at}");
                 }
             }
         }
@@ -195,7 +206,7 @@ impl<C: Controller> Heard<C> {
                 assert!(tick.wrapping_sub(*due).wrapping_add(1) <= 2, "{tick}, not {due}: {planned:?}");
                 exact
             } else {
-                match events.next().unwrap().0 {
+                match events.next().unwrap().clock {
                     0 => continue,
                     clock => self.ticks(Moment::at(clock)),
                 }
