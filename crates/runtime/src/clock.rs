@@ -3,8 +3,8 @@
 //! The two meet at anchors: clocks in which both count whole numbers. From the anchor before, a span is scaled by one
 //! multiplication, exact to far less than a tick, and as the anchors themselves are whole numbers nothing adds up.
 
-use crate::segment::Segment;
-use motion::train::FRACTION_BITS;
+use crate::segment::{Segment, Spacing};
+use motion::train::{EVERY_SLOT, FRACTION_BITS};
 use motion::{Moment, Ticks, Train};
 
 /// Bits of fraction of [`Clock::rate`].
@@ -102,6 +102,11 @@ impl Clock {
         let alone = Segment { at, order, direction: train.direction, ..Segment::NONE };
         match rest {
             Some(rest) if rest.interval < LONG << FRACTION_BITS => Some(Segment {
+                spacing: match (rest.mask, rest.add, rest.jerk) {
+                    (EVERY_SLOT, 0, 0) => Spacing::Even,
+                    (EVERY_SLOT, ..) => Spacing::Changing,
+                    _ => Spacing::Masked,
+                },
                 interval: self.scale(rest.interval),
                 add: self.scale_signed(rest.add),
                 jerk: self.scale_signed(rest.jerk),

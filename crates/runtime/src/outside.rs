@@ -90,7 +90,7 @@ impl<'q, H: Hardware, const AXES: usize> Outside<'q, H, AXES> {
         while !self.plan.push_event(event) {
             self.rest();
         }
-        if self.plan.is_starved(EVENT_BIT) {
+        if self.plan.has_news(EVENT_BIT) {
             self.hardware.kick();
         }
     }
@@ -107,7 +107,7 @@ impl<H: Hardware, const AXES: usize> Board for Outside<'_, H, AXES> {
             while !self.plan.push_segment(axis, segment) {
                 self.rest();
             }
-            if self.plan.is_starved(axis) {
+            if self.plan.has_news(axis) {
                 self.hardware.kick();
             }
         }

@@ -5,7 +5,7 @@
 //! in a burst, the plan as a whole is behind from then on.
 
 use crate::hardware::{MAX_AXES, Pins, Timer, TimerTicks};
-use crate::queues::{Event, Shared, What, starved};
+use crate::queues::{EVENT_BIT, Event, Shared, What};
 use crate::segment::Segment;
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use heapless::spsc::Consumer;
@@ -28,27 +28,26 @@ pub struct Player<'q, const AXES: usize> {
     queues: [Consumer<'q, Segment>; AXES],
     /// What of each axis is played now, from the next pulse on.
     lanes: [Segment; AXES],
-    /// Which of them have a pulse.
-    busy: u8,
-    /// What the direction pins say.
-    directions: [Option<Direction>; AXES],
-    events: Consumer<'q, Event>,
-    /// Events played. Wraps.
-    order: u16,
+    /// Which of them have a pulse, and whether there is an event: the bits that are not [`Shared::starved`].
+    known: u32,
+    /// What happens next: pulses of these axes, or [`AN_EVENT`], or nothing.
+    next: u32,
+    /// When, by the timer.
+    due: TimerTicks,
     /// How far the pins are behind the plan. Wraps.
     shift: u32,
     shared: &'q Shared,
+    events: Consumer<'q, Event>,
+    /// Events played. Wraps.
+    order: u16,
+    /// What the direction pins say.
+    directions: [Option<Direction>; AXES],
 }
 
-/// What happens next: pulses of these axes, or an event where there are none.
-struct Next {
-    due: TimerTicks,
-    axes: u8,
-}
+/// The bit of an event.
+const AN_EVENT: u32 = 1 << EVENT_BIT;
 
 impl<'q, const AXES: usize> Player<'q, AXES> {
-    const ALL: u8 = (1 << AXES) - 1;
-
     pub(crate) fn new(
         queues: [Consumer<'q, Segment>; AXES],
         events: Consumer<'q, Event>,
@@ -58,116 +57,152 @@ impl<'q, const AXES: usize> Player<'q, AXES> {
         Self {
             queues,
             lanes: [Segment::NONE; AXES],
-            busy: 0,
-            directions: [None; AXES],
-            events,
-            order: 0,
+            known: 0,
+            next: 0,
+            due: 0,
             shift: 0,
             shared,
+            events,
+            order: 0,
+            directions: [None; AXES],
         }
     }
 
     /// The whole interrupt: of the alarm, and of [`kick`](crate::Hardware::kick).
+    #[inline]
     pub fn play<T: Timer>(&mut self, timer: &mut T, pins: &mut impl Pins) {
         let entered = timer.now();
-        let mut now = entered;
-        let mut pulses = 0;
-        let mut moments = MAX_MOMENTS;
-        self.take_up(!self.busy & Self::ALL, pins);
+        let (mut now, mut moments) = (entered, MAX_MOMENTS);
+        if self.shared.news.load(Relaxed) != 0 {
+            self.look_around(pins);
+        }
         let alarm = loop {
-            let Some(Next { due, axes }) = self.next() else { break None };
-            let mut due = due.wrapping_add(self.shift);
-            let late = loop {
-                let late = now.wrapping_sub(due) as i32;
-                if late >= 0 || late < -((T::HZ / NEAR) as i32) {
-                    break late;
+            if self.next == 0 {
+                break None;
+            }
+            let late = now.wrapping_sub(self.due);
+            if (late as i32) < 0 {
+                if late.wrapping_neg() > T::HZ / NEAR {
+                    break Some(self.due);
                 }
                 now = timer.now();
-            };
-            if late < 0 {
-                break Some(due);
+                continue;
             }
             if moments == 0 {
                 break Some(now.wrapping_add(T::HZ / SHARE));
             }
             moments -= 1;
-            let mut late = late as u32;
-            if late > T::HZ / TOLERANCE {
-                self.slip(late);
-                (due, late) = (now, 0);
-            }
-            if axes == 0 {
+            let late = if late > T::HZ / TOLERANCE { self.slip(late) } else { late };
+            if self.next == AN_EVENT {
                 self.play_event(pins);
             } else {
-                pulses += axes.count_ones();
-                self.play_pulses(axes, due, late, pins);
+                self.play_pulses(late, pins);
             }
+            self.find_next();
             now = timer.now();
         };
         timer.set_alarm(alarm);
-        self.shared.starved.store(starved(!self.busy, !self.events.ready()), Relaxed);
-        add(&self.shared.pulses, pulses);
         add(&self.shared.ticks, now.wrapping_sub(entered));
     }
 
-    /// What comes next, if anything is queued.
+    /// Finds out what comes next.
     #[inline]
-    fn next(&self) -> Option<Next> {
-        let mut axes = self.busy;
-        if let Some(event) = self.events.peek() {
-            // Segments that were queued after it wait for it, and it for those that were queued before.
-            for (axis, lane) in self.lanes.iter().enumerate() {
-                if lane.order.wrapping_sub(self.order) as i16 > 0 {
-                    axes &= !(1 << axis);
+    fn find_next(&mut self) {
+        if self.known & AN_EVENT != 0 {
+            self.find_around_event();
+        } else {
+            self.find_first(self.known);
+        }
+    }
+
+    /// The first of the pulses of these axes.
+    #[inline]
+    fn find_first(&mut self, axes: u32) {
+        let (mut first, mut next) = (0, 0);
+        for (axis, lane) in self.lanes.iter().enumerate() {
+            if axes & 1 << axis != 0 {
+                let due = lane.due();
+                if next == 0 || (due.wrapping_sub(first) as i32) < 0 {
+                    (first, next) = (due, 1 << axis);
+                } else if due == first {
+                    next |= 1 << axis;
                 }
             }
-            if axes == 0 {
-                return Some(Next { due: event.due, axes });
+        }
+        (self.due, self.next) = (first.wrapping_add(self.shift), next);
+    }
+
+    /// Segments that were queued after the event wait for it, and it for those that were queued before.
+    #[cold]
+    #[inline(never)]
+    fn find_around_event(&mut self) {
+        let mut axes = self.known & !AN_EVENT;
+        for (axis, lane) in self.lanes.iter().enumerate() {
+            if lane.order.wrapping_sub(self.order) as i16 > 0 {
+                axes &= !(1 << axis);
             }
         }
-        let mut next: Option<Next> = None;
-        for (axis, lane) in self.lanes.iter().enumerate().filter(|(axis, _)| axes >> axis & 1 != 0) {
-            let due = lane.due();
-            match &mut next {
-                Some(next) if next.due == due => next.axes |= 1 << axis,
-                Some(next) if (due.wrapping_sub(next.due) as i32) > 0 => {}
-                _ => next = Some(Next { due, axes: 1 << axis }),
+        match self.events.peek() {
+            Some(event) if axes == 0 => {
+                (self.due, self.next) = (event.due.wrapping_add(self.shift), AN_EVENT)
             }
+            _ => self.find_first(axes),
         }
-        next
     }
 
     #[inline]
-    fn play_pulses(&mut self, axes: u8, due: TimerTicks, late: u32, pins: &mut impl Pins) {
-        pins.step(axes);
+    fn play_pulses(&mut self, late: u32, pins: &mut impl Pins) {
+        let (axes, due) = (self.next, self.due);
+        pins.step(axes as u8);
         let mut ended = 0;
-        for (axis, lane) in self.lanes.iter_mut().enumerate().filter(|(axis, _)| axes >> axis & 1 != 0) {
-            pins.played(axis, lane.direction, due, late);
-            if !lane.go_on() {
-                ended |= 1 << axis;
+        for (axis, lane) in self.lanes.iter_mut().enumerate() {
+            if axes & 1 << axis != 0 {
+                pins.played(axis, lane.direction, due, late);
+                if !lane.go_on() {
+                    ended |= 1 << axis;
+                }
             }
         }
-        pins.step_end(axes);
+        pins.step_end(axes as u8);
         if ended != 0 {
-            self.busy &= !ended;
+            self.known &= !ended;
             self.take_up(ended, pins);
         }
     }
 
-    /// Takes up the next segments of these axes.
-    fn take_up(&mut self, axes: u8, pins: &mut impl Pins) {
-        for axis in (0..AXES).filter(|axis| axes >> axis & 1 != 0) {
-            let Some(segment) = self.queues[axis].dequeue() else { continue };
-            self.lanes[axis] = segment;
-            self.busy |= 1 << axis;
-            if self.directions[axis] != Some(segment.direction) {
-                self.directions[axis] = Some(segment.direction);
-                pins.direction(axis, segment.direction);
+    /// The main loop has queued something for whoever was starved.
+    #[inline(never)]
+    fn look_around(&mut self, pins: &mut impl Pins) {
+        self.shared.news.store(0, Relaxed);
+        self.take_up(!self.known, pins);
+        self.find_next();
+    }
+
+    /// Takes up the next segments of these axes, and looks whether there is an event.
+    #[inline(never)]
+    fn take_up(&mut self, axes: u32, pins: &mut impl Pins) {
+        for axis in 0..AXES {
+            if axes & 1 << axis == 0 {
+                continue;
+            }
+            let Some(segment) = self.queues[axis].peek() else { continue };
+            self.lanes[axis] = *segment;
+            self.queues[axis].dequeue();
+            self.known |= 1 << axis;
+            let Segment { direction, more, .. } = self.lanes[axis];
+            add(&self.shared.pulses, more + 1);
+            if self.directions[axis] != Some(direction) {
+                self.directions[axis] = Some(direction);
+                pins.direction(axis, direction);
             }
         }
+        // After the segments: those that wait for an event are not taken up without it.
+        self.known = self.known & !AN_EVENT | u32::from(self.events.ready()) << EVENT_BIT;
+        self.shared.starved.store(!self.known, Relaxed);
     }
 
     #[cold]
+    #[inline(never)]
     fn play_event(&mut self, pins: &mut impl Pins) {
         let Some(event) = self.events.dequeue() else { return };
         self.order = self.order.wrapping_add(1);
@@ -177,14 +212,18 @@ impl<'q, const AXES: usize> Player<'q, AXES> {
             What::Release(pin) => pins.release(pin.into()),
             What::Analog(pin, value) => pins.output_analog(pin.into(), value),
         }
+        self.take_up(0, pins);
     }
 
-    /// The plan is behind by so much more.
+    /// The plan is behind by so much more, beginning with what is due now, which is not late then.
     #[cold]
-    fn slip(&mut self, ticks: u32) {
+    #[inline(never)]
+    fn slip(&mut self, ticks: u32) -> u32 {
+        self.due = self.due.wrapping_add(ticks);
         self.shift = self.shift.wrapping_add(ticks);
         self.shared.shift.store(self.shift, Relaxed);
         add(&self.shared.slips, 1);
+        0
     }
 }
 

@@ -39,10 +39,12 @@ pub(crate) enum What {
 /// The bit of [`Shared::starved`] that stands for events; below it is one for each axis.
 pub(crate) const EVENT_BIT: usize = MAX_AXES;
 
-/// Written by the player, read by the main loop.
+/// What both sides see. Only the player writes it, but for `news`.
 #[derive(Debug)]
 pub(crate) struct Shared {
-    /// Whose queues were empty when the player left: it does not come back for them by itself.
+    /// Something is queued for whoever was starved: set by the main loop before it kicks, cleared by the player.
+    pub news: AtomicU32,
+    /// Whose queues were empty when the player looked: it does not look again by itself.
     pub starved: AtomicU32,
     /// By how many ticks the pins are behind what is planned. Wraps.
     pub shift: AtomicU32,
@@ -70,6 +72,7 @@ impl<const AXES: usize> Queues<AXES> {
             segments: [const { Queue::new() }; AXES],
             events: Queue::new(),
             shared: Shared {
+                news: AtomicU32::new(0),
                 starved: AtomicU32::new(u32::MAX),
                 shift: AtomicU32::new(0),
                 slips: AtomicU32::new(0),
@@ -131,15 +134,14 @@ impl<const AXES: usize> Plan<'_, AXES> {
         queued
     }
 
-    /// Whether the player may not know what was queued for this axis or as an event, and has to be called.
-    pub(crate) fn is_starved(&self, bit: usize) -> bool {
+    /// Whether the player does not know what was queued for this axis or as an event, and has to be kicked.
+    pub(crate) fn has_news(&self, bit: usize) -> bool {
         // An interrupt that comes between finds what is queued, one that came before has set the bit.
         fence(SeqCst);
-        self.shared.starved.load(Relaxed) >> bit & 1 != 0
+        let news = self.shared.starved.load(Relaxed) >> bit & 1 != 0;
+        if news {
+            self.shared.news.store(1, Relaxed);
+        }
+        news
     }
-}
-
-/// The word for [`Shared::starved`].
-pub(crate) const fn starved(axes: u8, events: bool) -> u32 {
-    axes as u32 | (events as u32) << EVENT_BIT
 }

@@ -1,9 +1,19 @@
 //! A train as the player takes it: its first pulse, and the spacings after that, in timer ticks.
 
 use motion::Direction;
-use motion::train::EVERY_SLOT;
 
-/// The pulses of a train. Two additions of 64 bits lead from one to the next, three where spacings change.
+/// How the pulses of a segment are found, so that no more is added up than has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Spacing {
+    /// All spacings are the same.
+    Even,
+    /// They change.
+    Changing,
+    /// They change, and not every slot has a pulse.
+    Masked,
+}
+
+/// The pulses of a train. One addition of 64 bits leads from one to the next, three where spacings change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Segment {
     /// When the first pulse is due: the tick in the upper half, which wraps, its fraction in the lower.
@@ -14,7 +24,7 @@ pub(crate) struct Segment {
     pub add: u64,
     /// How much `add` grows.
     pub jerk: u64,
-    /// Which of the slots after the first pulse have one, or [`EVERY_SLOT`].
+    /// Which of the slots after the first pulse have one, if not all do.
     pub mask: u64,
     /// Pulses after the first.
     pub more: u32,
@@ -22,6 +32,8 @@ pub(crate) struct Segment {
     pub order: u16,
     /// Which way.
     pub direction: Direction,
+    /// What of the above counts.
+    pub spacing: Spacing,
 }
 
 impl Segment {
@@ -31,10 +43,11 @@ impl Segment {
         interval: 0,
         add: 0,
         jerk: 0,
-        mask: EVERY_SLOT,
+        mask: 0,
         more: 0,
         order: 0,
         direction: Direction::Positive,
+        spacing: Spacing::Even,
     };
 
     /// The tick of the pulse that is next.
@@ -46,26 +59,34 @@ impl Segment {
     /// On to the pulse after it; false if there is none.
     #[inline]
     pub fn go_on(&mut self) -> bool {
-        if self.more == 0 {
-            return false;
-        }
-        self.more -= 1;
-        self.slot();
-        if self.mask != EVERY_SLOT {
-            // The lowest bit belongs to the slot just reached. There is a pulse left, so there is a bit.
-            while self.mask & 1 == 0 {
-                self.mask >>= 1;
-                self.slot();
-            }
-            self.mask >>= 1;
+        let Some(more) = self.more.checked_sub(1) else { return false };
+        self.more = more;
+        self.at = self.at.wrapping_add(self.interval);
+        match self.spacing {
+            Spacing::Even => {}
+            Spacing::Changing => self.change(),
+            Spacing::Masked => self.skip(),
         }
         true
     }
 
+    /// What a slot does to the spacings.
     #[inline]
-    fn slot(&mut self) {
-        self.at = self.at.wrapping_add(self.interval);
+    fn change(&mut self) {
         self.interval = self.interval.wrapping_add(self.add);
         self.add = self.add.wrapping_add(self.jerk);
+    }
+
+    /// The same, and on over slots without a pulse. The lowest bit of the mask belongs to the slot that was reached.
+    /// There is a pulse left, so there is a bit.
+    #[inline(never)]
+    fn skip(&mut self) {
+        self.change();
+        while self.mask & 1 == 0 {
+            self.mask >>= 1;
+            self.at = self.at.wrapping_add(self.interval);
+            self.change();
+        }
+        self.mask >>= 1;
     }
 }
