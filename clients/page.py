@@ -1,7 +1,7 @@
 """The memory that an emulated board shares with its bench: a flash, a page of numbers, and a log of pulses.
 
 The image writes what its pins do and what it measures of itself; the bench writes what is on its inputs. The
-board's half is `firmware/boards/mps2-an386/src/bench.rs`.
+board's half is `firmware/boards/mps2-an386/src/bench/page.rs`.
 """
 
 import collections
@@ -18,11 +18,12 @@ NOT_DRIVEN = 0x8000_0000
 READY, STARTS, POKE, STACK_UNUSED, STACK_SIZE, SLIPS = 0, 1, 2, 3, 4, 5
 AWAKE_TICKS, PLAYER_TICKS, EDGES, ADVANCES = 8, 10, 12, 14
 TIMER_HZ, AXES, LOG_ROOM, LOGGED, START_CAUSE, STOPPED = 16, 17, 18, 19, 20, 21
-ODOMETERS, PULSES, DRIVES, OUTPUTS, INPUTS = 24, 32, 40, 64, 128
-ENCODERS, LOADS, PULSERS = 384, 416, 424
+ODOMETERS, PULSES, DRIVES, OUTPUTS, INPUTS = 24, 32, 40, 64, 192
+ENCODERS, LOADS, PULSERS = 1216, 1280, 1288
 
-# What may be on an input, with three more words each.
-NOTHING, LEVEL, ZONE, MARKS = 0, 1, 2, 3
+# What may be on an input, with the words that follow.
+INPUT_WORDS = 8
+NOTHING, LEVEL, ZONE = 0, 1, 2
 # What may turn an encoder.
 FOLLOWED = 2
 
@@ -92,15 +93,13 @@ class Page:
         """Puts a level or a number on a pin, or gives it back to the machine if the value is `None`."""
         zone = pin["zone"]
         if value is not None:
-            words = LEVEL, round(value * pin["scale"]), 0, 0
+            words = LEVEL, round(value * pin["scale"])
         elif zone is None:
-            words = LEVEL, pin["rest"], 0, 0
-        elif zone["every"] is None:
-            words = ZONE, zone["axis"], in_range(zone["first"]), in_range(zone["last"] + 1)
+            words = LEVEL, pin["rest"]
         else:
-            assert zone["first"] == 0, "a mark begins where the axis was switched on"
-            words = MARKS, zone["axis"], zone["every"], zone["last"] + 1
-        at = INPUTS + 4 * number
+            first, last = in_range(zone["first"]), in_range(zone["last"])
+            words = ZONE, zone["axis"], first, last, zone["every"] or 0, pin["rest"]
+        at = INPUTS + INPUT_WORDS * number
         if self.word(at) != words[0]:
             # The image never sees a kind with the numbers of another.
             self.write(at, NOTHING)

@@ -11,7 +11,15 @@ const LINES_A_FILE: usize = 800;
 
 /// Files of ours that may say `unsafe`. The workspace's lints forbid it everywhere; a crate that needs it
 /// must leave those lints and be named here, with the reason beside it.
-const UNSAFE_ALLOWED: &[&str] = &[];
+const UNSAFE_ALLOWED: &[&str] = &[
+    // Where registers are, the vectors of interrupts, the addresses of the stack, and a handler that is declared so.
+    "firmware/boards/mps2-an386/src/registers.rs",
+    "firmware/boards/mps2-an386/src/vectors.rs",
+    "firmware/boards/mps2-an386/src/bench/stack.rs",
+    "firmware/boards/mps2-an386/src/watchdog.rs",
+    // The handler of faults begins the stack anew.
+    "firmware/images/src/fault.rs",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
@@ -93,12 +101,15 @@ fn unsafe_code_is_recognised() {
 
 #[test]
 fn every_crate_has_the_lints_of_the_workspace() {
-    let manifests =
-        texts().filter(|(path, _)| path.ends_with("Cargo.toml") && path != Path::new("Cargo.toml"));
+    let manifests = texts().filter(|(path, _)| path.ends_with("Cargo.toml"));
     // The fuzz targets are a workspace of their own; libFuzzer's macro expands to unsafe code.
     let ours = manifests.filter(|(path, _)| !path.starts_with("fuzz"));
     let without = ours.filter(|(_, text)| {
         let manifest: toml::Table = toml::from_str(text).unwrap();
+        // A workspace without a crate of its own is where the lints are.
+        if !manifest.contains_key("package") {
+            return false;
+        }
         let inherits = manifest.get("lints").and_then(|lints| lints.get("workspace"));
         inherits != Some(&toml::Value::Boolean(true))
     });
