@@ -107,8 +107,8 @@ fuzz_target!(|bytes: &[u8]| {
         }
         match numbers.byte() {
             _ if look > MOST_LOOKS => path.halt(),
-            0 => path.set_limits(numbers.limits()),
-            1 => path.stop(),
+            0 => path.set_limits(numbers.limits(), &mut axes),
+            1 => path.stop(&mut axes),
             2 => path.halt(),
             _ => continue,
         }

@@ -98,6 +98,28 @@ impl Foot {
     }
 }
 
+/// The slow ends of a braking ramp and of one that speeds up.
+#[derive(Clone, Debug)]
+pub(crate) struct Feet([Foot; 2]);
+
+impl Feet {
+    /// Nothing is known of any ramp.
+    pub const fn new(scale: Scale) -> Self {
+        Self([Foot::new(scale, false), Foot::new(scale, true)])
+    }
+
+    /// The foot of ramps that rise, or that fall.
+    #[inline]
+    pub const fn of(&mut self, rises: bool) -> &mut Foot {
+        &mut self.0[rises as usize]
+    }
+
+    /// Forgets everything about a foot if the ramp is another one.
+    pub fn suit(&mut self, key: Key) {
+        self.of(key.rises).suit(key);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -15,6 +15,7 @@ mod foot;
 pub mod homing;
 pub mod joystick;
 pub mod merge;
+mod mover;
 pub mod path;
 pub mod plan;
 pub mod pps;

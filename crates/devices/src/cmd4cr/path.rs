@@ -194,7 +194,7 @@ impl<F: Flash> Cmd4cr<F> {
     pub fn slow_ride(&mut self, axis: usize) {
         let Some(ride) = self.rides.iter_mut().find(|ride| ride.members >> axis & 1 != 0) else { return };
         let slow = axes_in(ride.members).any(|member| self.guards[member].slow);
-        ride.path.set_limits(if slow { slowed(ride.limits) } else { ride.limits });
+        ride.path.set_limits(if slow { slowed(ride.limits) } else { ride.limits }, &mut self.axes);
     }
 
     /// Stops the ride of an axis, if there is one, and with it all that take part.
@@ -204,7 +204,7 @@ impl<F: Flash> Cmd4cr<F> {
         };
         match halt {
             Halt::AtOnce => ride.path.halt(),
-            Halt::Ramp => ride.path.stop(),
+            Halt::Ramp => ride.path.stop(&mut self.axes),
         }
         for member in axes_in(ride.members) {
             self.stations[member].closed.begin(&self.axes[member], halt.motion());

@@ -94,8 +94,8 @@ impl<F: Flash> Pd42<F> {
                 if protection & PROTECT_READING != 0 {
                     return Status::NOT_AVAILABLE.into();
                 }
-                let Some(address) = address else { return Status::INVALID_VALUE.into() };
-                return Response::Memory(self.vm.program()[address]);
+                let command = address.and_then(|address| self.vm.command(address));
+                return command.map_or(Status::INVALID_VALUE.into(), Response::Memory);
             }
             opcode::APPLICATION_STATUS => return self.application_status(kind),
             opcode::FIRMWARE_VERSION => match kind {

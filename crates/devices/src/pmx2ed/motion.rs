@@ -214,7 +214,7 @@ impl<F: Flash> Pmx2ed<F> {
         let Some(line) = self.line.as_mut().filter(|line| line.involves(axis)) else { return false };
         match halt {
             Halt::AtOnce => line.halt(),
-            Halt::Ramp => line.stop(),
+            Halt::Ramp => line.stop(&mut self.axes),
         }
         for member in (0..AXIS_COUNT).filter(|&member| line.involves(member)) {
             self.stations[member].closed.begin(&self.axes[member], halt.motion());

@@ -20,6 +20,7 @@ mod window;
 pub use arc::{Arc, ArcError, End, MAX_RADIUS, Turn};
 
 use crate::axis::{Axis, Goal};
+use crate::mover::Mover;
 use crate::plan::Limits;
 use crate::speed::Speed;
 use crate::train::{Direction, Ticks, Train};
@@ -62,7 +63,9 @@ impl<const N: usize> Move<N> {
 #[derive(Clone, Debug)]
 pub struct Path<const N: usize> {
     /// The slots, as the pulses of an axis of its own.
-    slots: Axis,
+    slots: Mover,
+    /// Whose feet it goes on: those of an axis that takes part.
+    lender: usize,
     /// How many of them since the start.
     slot: i64,
     pace: Pace,
@@ -96,14 +99,23 @@ impl<const N: usize> Path<N> {
         }
         let longest = way.iter().map(|way| way.unsigned_abs()).max().unwrap_or(0);
         let slots = slots.unwrap_or(longest);
-        let mut path = Axis::new(pace.limits(limits));
-        path.advance(now, |_| ());
-        path.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)));
-        let straight = way.map(|way| Straight::new(way, slots));
-        let path = Self { slots: path, slot: 0, pace, limits: limits.clamped(), straight, round };
-        for (_, axis) in axes.iter_mut().enumerate().filter(|(axis, _)| path.involves(*axis)) {
-            axis.carry(axis.direction(), 0);
+        let mut path = Self {
+            slots: Mover::new(pace.limits(limits)),
+            lender: 0,
+            slot: 0,
+            pace,
+            limits: limits.clamped(),
+            straight: way.map(|way| Straight::new(way, slots)),
+            round,
+        };
+        for (number, axis) in axes.iter_mut().enumerate().rev() {
+            if path.involves(number) {
+                axis.carry(axis.direction(), 0);
+                path.lender = number;
+            }
         }
+        path.slots.pass(now);
+        path.slots.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)), axes[path.lender].feet());
         path
     }
 
@@ -142,8 +154,8 @@ impl<const N: usize> Path<N> {
     }
 
     /// Slows down along the path, and stands on one of its slots.
-    pub fn stop(&mut self) {
-        self.slots.set_goal(Goal::Speed(AHEAD, 0));
+    pub fn stop(&mut self, axes: &mut [Axis; N]) {
+        self.slots.set_goal(Goal::Speed(AHEAD, 0), axes[self.lender].feet());
     }
 
     /// Stands still at once.
@@ -152,9 +164,9 @@ impl<const N: usize> Path<N> {
     }
 
     /// Changes the limits on the way.
-    pub fn set_limits(&mut self, limits: Limits) {
+    pub fn set_limits(&mut self, limits: Limits, axes: &mut [Axis; N]) {
         self.limits = limits.clamped();
-        self.slots.set_limits(self.pace.limits(limits));
+        self.slots.set_limits(self.pace.limits(limits), axes[self.lender].feet());
     }
 
     /// The present speed of an axis, in the scale of the limits; 0 at standstill.
@@ -226,8 +238,8 @@ impl<const N: usize> Path<N> {
     /// # Panics
     /// If `now` is earlier than the last time, or an axis that takes part moves by itself.
     pub fn advance(&mut self, now: Ticks, axes: &mut [Axis; N], mut emit: impl FnMut(usize, &Train)) {
-        let Self { slots, slot, straight, round, .. } = self;
-        slots.advance(now, |path| {
+        let Self { slots, lender, slot, straight, round, .. } = self;
+        let mut follow = |path: &Train, axes: &mut [Axis; N]| {
             let ahead = path.direction == AHEAD;
             let mut pulses = |axis: usize, train: &Train| {
                 axes[axis].carry(train.direction, train.count);
@@ -262,6 +274,14 @@ impl<const N: usize> Path<N> {
                 at += if ahead { i64::from(slots.count) } else { -i64::from(slots.count) };
             }
             *slot += if ahead { i64::from(path.count) } else { -i64::from(path.count) };
-        });
+        };
+        slots.pass(now);
+        while let Some(train) = slots.ready() {
+            follow(train, axes);
+            slots.go_on(axes[*lender].feet());
+        }
+        if let Some(train) = slots.cut() {
+            follow(&train, axes);
+        }
     }
 }

@@ -303,7 +303,7 @@ fn play(seed: u64) {
         if disturbed {
             match random.below(100) {
                 0 => {
-                    path.set_limits(limits(random));
+                    path.set_limits(limits(random), &mut axes);
                     track.straight = None;
                 }
                 1 | 2 => stop = true,
@@ -311,7 +311,7 @@ fn play(seed: u64) {
             }
         }
         if stop && !stopped {
-            path.stop();
+            path.stop(&mut axes);
             // The other one would need a pulse more or less for it.
             track.straight.take_if(|_| track.steady.is_none());
             stopped = true;

@@ -132,11 +132,11 @@ fn play(seed: u64) {
         if disturbed {
             match random.below(100) {
                 0 => {
-                    line.set_limits(limits(random));
+                    line.set_limits(limits(random), &mut axes);
                     track.swings = true;
                 }
                 1 | 2 => {
-                    line.stop();
+                    line.stop(&mut axes);
                     stopped = true;
                 }
                 3 => {
@@ -153,7 +153,7 @@ fn play(seed: u64) {
             }
         }
         if ended > MOST_PULSES.into() && !stopped {
-            line.stop();
+            line.stop(&mut axes);
             stopped = true;
         }
         if ended > u64::from(MOST_PULSES) * 20 {

@@ -1,5 +1,6 @@
 //! Program memory, and what the control commands 128 to 131 do.
 
+use super::cell::Cell;
 use super::{Hold, Mode, Outcome, Pending, Vm, Wait};
 use crate::isa::{Command, Condition, PROGRAM_LENGTH};
 use core::fmt;
@@ -31,13 +32,18 @@ pub(super) fn address(value: i32) -> Result<u16, AddressError> {
 
 impl Vm {
     /// The content of the program memory.
-    pub const fn program(&self) -> &[Command; PROGRAM_LENGTH] {
-        &self.memory
+    pub fn program(&self) -> impl ExactSizeIterator<Item = Command> {
+        self.memory.iter().map(|cell| cell.command())
+    }
+
+    /// A cell of it; `None` if the memory has none there.
+    pub fn command(&self, address: usize) -> Option<Command> {
+        self.memory.get(address).map(|cell| cell.command())
     }
 
     /// Writes a cell of the program memory.
     pub fn store(&mut self, address: usize, command: Command) -> Result<(), AddressError> {
-        *self.memory.get_mut(address).ok_or(AddressError)? = command;
+        *self.memory.get_mut(address).ok_or(AddressError)? = Cell::new(command);
         Ok(())
     }
 
@@ -46,15 +52,16 @@ impl Vm {
         if program.len() > PROGRAM_LENGTH {
             return Err(AddressError);
         }
-        let (head, tail) = self.memory.split_at_mut(program.len());
-        head.copy_from_slice(program);
-        tail.fill(Command::EMPTY);
+        self.erase();
+        for (cell, &command) in self.memory.iter_mut().zip(program) {
+            *cell = Cell::new(command);
+        }
         Ok(())
     }
 
     /// Empties the program memory.
     pub fn erase(&mut self) {
-        self.memory.fill(Command::EMPTY);
+        self.memory.fill(Cell::EMPTY);
     }
 
     /// Command 129: runs the program from `address`, with empty stacks, or from where it stands. A

@@ -11,6 +11,7 @@
 //! interrupt that [`Vm::raise`] has announced is taken.
 
 mod calculate;
+mod cell;
 mod control;
 mod direct;
 mod interrupts;
@@ -21,6 +22,7 @@ pub use control::AddressError;
 pub use direct::Direct;
 
 use crate::isa::{Command, PROGRAM_LENGTH, VARIABLES, WaitFor};
+use cell::Cell;
 use interrupts::Interrupts;
 use protocol::tmcl::Status;
 use registers::Registers;
@@ -36,7 +38,7 @@ type Variables = [i32; VARIABLES];
 /// Program memory, registers and state of a program.
 #[derive(Clone, Debug)]
 pub struct Vm {
-    memory: [Command; PROGRAM_LENGTH],
+    memory: [Cell; PROGRAM_LENGTH],
     variables: Variables,
     registers: Registers,
     counter: u16,
@@ -173,7 +175,7 @@ impl Vm {
     /// One with empty memory and all variables 0, standing still.
     pub const fn new() -> Self {
         Self {
-            memory: [Command::EMPTY; PROGRAM_LENGTH],
+            memory: [Cell::EMPTY; PROGRAM_LENGTH],
             variables: [0; VARIABLES],
             registers: Registers::RESET,
             counter: 0,
@@ -204,7 +206,7 @@ impl Vm {
             past_breakpoint,
             instructions,
         } = self;
-        memory.fill(Command::EMPTY);
+        memory.fill(Cell::EMPTY);
         variables.fill(0);
         (*registers, *counter, *interrupts) = (Registers::RESET, 0, Interrupts::new());
         (*mode, *step, *pending) = (Mode::Stop, false, Pending::Nothing);

@@ -53,7 +53,7 @@ impl Vm {
             if burst == limit {
                 continue;
             }
-            let Some(&command) = self.memory.get(usize::from(self.counter)) else {
+            let Some(command) = self.command(self.counter.into()) else {
                 self.stop();
                 break Exit::Stopped(Stopped::End);
             };
@@ -88,7 +88,8 @@ impl Vm {
         let mut counter = usize::from(self.counter);
         let mut left = limit;
         while left > 0 {
-            let Some(&command) = memory.get(counter) else { break };
+            let Some(cell) = memory.get(counter) else { break };
+            let command = cell.command();
             let Command { opcode, kind, motor, value } = command;
             let mut next = counter + 1;
             match opcode {
