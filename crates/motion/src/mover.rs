@@ -95,6 +95,12 @@ impl Mover {
         }
     }
 
+    /// Begins anew: an axis at rest at position 0, at the end of clock `now`.
+    pub fn restart(&mut self, limits: Limits, now: Ticks) {
+        *self = Self::new(limits);
+        self.now = now;
+    }
+
     /// The limits in force.
     pub const fn limits(&self) -> Limits {
         self.limits
@@ -482,10 +488,7 @@ impl Mover {
         let wish = self.wish()?;
         let now = Now { squared: self.pace.squared, rest: self.rest };
         if let Some(bend) = self.limits.bend() {
-            if self.course.is_none() {
-                self.course = Course::new(&self.limits, bend, now, wish);
-            }
-            return self.course.as_mut()?.piece(self.rest);
+            return self.curved_piece(bend, now, wish);
         }
         if let Some((key, piece, run)) = plan::foot(&self.limits, now, wish) {
             feet.suit(key);
@@ -501,6 +504,15 @@ impl Mover {
         }?;
         self.run = Run::after(&piece, &self.limits, now.squared, wish);
         Some(piece)
+    }
+
+    /// The same with S-curves, which take more of the stack.
+    #[inline(never)]
+    fn curved_piece(&mut self, bend: Speed, now: Now, wish: Wish) -> Option<Piece> {
+        if self.course.is_none() {
+            self.course = Course::new(&self.limits, bend, now, wish);
+        }
+        self.course.as_mut()?.piece(self.rest)
     }
 
     /// Sets out on a piece.

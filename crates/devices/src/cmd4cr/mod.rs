@@ -86,8 +86,8 @@ pub struct Cmd4cr<F: Flash> {
     clears: [ErrorClear; AXIS_COUNT],
     captures: [Capture; AXIS_COUNT],
     pulsers: [Pulser; AXIS_COUNT],
-    /// The interpolated moves that are on.
-    rides: heapless::Vec<Ride, AXIS_COUNT>,
+    /// Room for interpolated moves: an axis is in one at the most.
+    rides: [Ride; AXIS_COUNT],
     buffer: Buffer,
     waiting: Waiting,
     /// Targets count from the position.
@@ -123,7 +123,7 @@ impl<F: Flash> Cmd4cr<F> {
             clears: [ErrorClear::new(); AXIS_COUNT],
             captures: [const { Capture::new() }; AXIS_COUNT],
             pulsers: [const { Pulser::new() }; AXIS_COUNT],
-            rides: heapless::Vec::new(),
+            rides: [const { Ride::new() }; AXIS_COUNT],
             buffer: Buffer::new(),
             waiting: Waiting::new(),
             incremental: false,
@@ -179,7 +179,7 @@ impl<F: Flash> Cmd4cr<F> {
     fn die(&mut self) {
         self.dead = true;
         self.axes.iter_mut().for_each(Axis::halt);
-        self.rides.clear();
+        self.rides.iter_mut().for_each(Ride::clear);
         self.tick_at = None;
     }
 }
@@ -225,7 +225,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
     }
 
     fn due(&self) -> Ticks {
-        let rides = self.rides.iter().map(|ride| self.ride_due(ride));
+        let rides = self.rides.iter().filter(|ride| ride.is_on()).map(|ride| self.ride_due(ride));
         let clears = self.clears.iter().map(ErrorClear::due);
         let captures = self.captures.iter().map(Capture::due);
         let axes = self.axes.iter().map(Axis::due);
@@ -239,7 +239,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
         for (number, axis) in self.axes.iter_mut().enumerate() {
             axis.advance(clock, |train| board.pulses(number, train));
         }
-        for ride in &mut self.rides {
+        for ride in self.rides.iter_mut().filter(|ride| ride.is_on()) {
             ride.path.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
         }
         self.now = clock;

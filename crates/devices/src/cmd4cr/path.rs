@@ -1,6 +1,6 @@
 //! Interpolated moves: lines, circles, arcs and helices (manual, 2.3 and appendix C).
 
-use super::motion::axes_in;
+use super::motion::{axes_in, resting};
 use super::refusal::Refusal;
 use super::safety::slowed;
 use super::table::{AXIS_COUNT, MAX_SPEED_PPS};
@@ -84,16 +84,34 @@ pub fn held(limits: Limits, arc: &Arc) -> Limits {
     }
 }
 
-/// An interpolated move that is on.
+/// An interpolated move, or room for one.
 #[derive(Debug)]
 pub struct Ride {
     pub path: Path<AXIS_COUNT>,
-    /// The axes that it needs, as bits.
+    /// The axes that it needs, as bits; none if it is not on.
     members: u8,
     /// Its limits where no slowdown input is on.
     limits: Limits,
     /// It came from the buffer.
     pub buffered: bool,
+}
+
+impl Ride {
+    /// None that is on.
+    pub const fn new() -> Self {
+        Self { path: Path::idle(), members: 0, limits: resting().limits(), buffered: false }
+    }
+
+    /// Whether it is on.
+    pub const fn is_on(&self) -> bool {
+        self.members != 0
+    }
+
+    /// It is no longer on.
+    pub fn clear(&mut self) {
+        self.path.clear();
+        (self.members, self.buffered) = (0, false);
+    }
 }
 
 impl<F: Flash> Cmd4cr<F> {
@@ -175,16 +193,17 @@ impl<F: Flash> Cmd4cr<F> {
         buffered: bool,
         board: &mut dyn Board,
     ) {
-        let path = Path::new(limits, course, self.now, &mut self.axes);
-        let moved = |axis: &usize| path.involves(*axis) || helped && *axis == HELPER;
+        let ride = self.rides.iter_mut().find(|ride| !ride.is_on());
+        let ride = ride.expect("an axis is in one interpolated move at the most");
+        ride.path.set_out(limits, course, self.now, &mut self.axes);
+        let moved = |axis: &usize| ride.path.involves(*axis) || helped && *axis == HELPER;
         let members = (0..AXIS_COUNT).filter(moved).map(|axis| 1 << axis).sum();
+        (ride.members, ride.limits, ride.buffered) = (members, limits, buffered);
         for axis in axes_in(members) {
             let target = self.axes[axis].position().wrapping_add(ways[axis]);
             self.stations[axis].task = Task::Path { target };
             self.forget_slowdown(axis, board);
         }
-        let ride = Ride { path, members, limits, buffered };
-        assert!(self.rides.push(ride).is_ok(), "an axis is in one interpolated move at the most");
         if let Some(first) = axes_in(members).next() {
             self.slow_ride(first);
         }
@@ -218,11 +237,10 @@ impl<F: Flash> Cmd4cr<F> {
     /// Takes out the rides that have ended; the axes that they had, as bits.
     pub fn take_ended_rides(&mut self) -> u8 {
         let mut ended = 0;
-        self.rides.retain(|ride| {
-            let goes_on = ride.path.is_moving();
-            ended |= if goes_on { 0 } else { ride.members };
-            goes_on
-        });
+        for ride in self.rides.iter_mut().filter(|ride| ride.is_on() && !ride.path.is_moving()) {
+            ended |= ride.members;
+            ride.clear();
+        }
         ended
     }
 }

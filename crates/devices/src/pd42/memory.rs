@@ -48,6 +48,12 @@ impl Stored {
         }
     }
 
+    fn reset(&mut self) {
+        self.axis.reset();
+        self.variables.fill(0);
+        self.coordinates.fill(0);
+    }
+
     /// Takes a record; those of parameters of bank 0 and of the program are nowhere else.
     fn take(
         &mut self,
@@ -100,7 +106,7 @@ impl<F: Flash> Memory<F> {
         self.module.reset();
         self.interrupts.reset();
         self.coordinates = [0; COORDINATES];
-        self.stored = Stored::new();
+        self.stored.reset();
         let Self { store, module, stored, .. } = self;
         // What was read before it stopped answering counts.
         let _ = store.open(|kind, number, value| stored.take(module, vm, kind, number, value));

@@ -59,8 +59,8 @@ pub struct Pmx2ed<F: Flash> {
     memory: Memory<F>,
     axes: [Axis; AXIS_COUNT],
     stations: [Station; AXIS_COUNT],
-    /// The interpolated move that is on.
-    line: Option<Path<AXIS_COUNT>>,
+    /// The interpolated move, if one is on.
+    line: Path<AXIS_COUNT>,
     /// Targets count from the position.
     incremental: bool,
     io: io::Io,
@@ -90,7 +90,7 @@ impl<F: Flash> Pmx2ed<F> {
             memory: Memory::new(flash, &memory::LAYOUT),
             axes: [const { motion::resting() }; AXIS_COUNT],
             stations: [const { Station::new(Encoder::new(0, 0)) }; AXIS_COUNT],
-            line: None,
+            line: Path::idle(),
             incremental: false,
             io: io::Io::new(),
             wire: Wire::new(),
@@ -143,7 +143,7 @@ impl<F: Flash> Pmx2ed<F> {
     fn die(&mut self) {
         self.dead = true;
         self.axes.iter_mut().for_each(Axis::halt);
-        self.line = None;
+        self.line.clear();
         self.tick_at = None;
     }
 }
@@ -172,7 +172,7 @@ impl<F: Flash> Clocked for Pmx2ed<F> {
     }
 
     fn due(&self) -> Ticks {
-        let line = self.line.as_ref().and_then(|line| line.due(&self.axes));
+        let line = self.line.due(&self.axes);
         let deadlines = [line, self.tick_at, self.time_out_due(), self.programs.delay_due()];
         let axes = self.axes.iter().map(Axis::due);
         deadlines.into_iter().chain(axes).flatten().min().unwrap_or(Ticks::MAX).max(self.now)
@@ -183,9 +183,7 @@ impl<F: Flash> Clocked for Pmx2ed<F> {
         for (number, axis) in self.axes.iter_mut().enumerate() {
             axis.advance(clock, |train| board.pulses(number, train));
         }
-        if let Some(line) = &mut self.line {
-            line.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
-        }
+        self.line.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
         self.now = clock;
         self.react(board);
         if self.tick_at.is_some_and(|due| due <= clock) {

@@ -38,7 +38,7 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// The line that an axis follows.
     pub fn line_of(&self, axis: usize) -> Option<&Path<AXIS_COUNT>> {
-        self.line.as_ref().filter(|line| line.involves(axis))
+        Some(&self.line).filter(|line| line.involves(axis))
     }
 
     /// Speed of an axis: pulses a second, or counts a second with StepNLoop, but for lines.
@@ -160,7 +160,7 @@ impl<F: Flash> Pmx2ed<F> {
             let ways = goals.map(|goal| goal.map_or(0, |(.., way)| way));
             let longest = if ways[1].unsigned_abs() > ways[0].unsigned_abs() { 1 } else { 0 };
             let limits = self.limits_over(None, ways[longest].unsigned_abs(), longest);
-            self.line = Some(Path::new(limits, &Move::Line(ways), self.now, &mut self.axes));
+            self.line.set_out(limits, &Move::Line(ways), self.now, &mut self.axes);
         }
         self.react(board);
         Ok(())
@@ -211,7 +211,10 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// Stops the line that an axis follows, if there is one, and with it all that follow it.
     pub fn stop_line(&mut self, axis: usize, halt: Halt) -> bool {
-        let Some(line) = self.line.as_mut().filter(|line| line.involves(axis)) else { return false };
+        let line = &mut self.line;
+        if !line.involves(axis) {
+            return false;
+        }
         match halt {
             Halt::AtOnce => line.halt(),
             Halt::Ramp => line.stop(&mut self.axes),
@@ -377,10 +380,14 @@ impl<F: Flash> Pmx2ed<F> {
 
     /// A line that has ended lets its axes go, and axes that stand have nothing to do any more.
     pub fn settle(&mut self) {
-        let ended = self.line.take_if(|line| !line.is_moving());
+        let mut ended = false;
         for (number, (station, axis)) in self.stations.iter_mut().zip(&self.axes).enumerate() {
-            let path_ended = ended.as_ref().is_some_and(|line| line.involves(number));
+            let path_ended = !self.line.is_moving() && self.line.involves(number);
             station.settle(axis.is_moving(), path_ended);
+            ended |= path_ended;
+        }
+        if ended {
+            self.line.clear();
         }
     }
 

@@ -21,8 +21,8 @@ pub use arc::{Arc, ArcError, End, MAX_RADIUS, Turn};
 
 use crate::axis::{Axis, Goal};
 use crate::mover::Mover;
-use crate::plan::Limits;
-use crate::speed::Speed;
+use crate::plan::{Limits, Shape};
+use crate::speed::{Scale, Speed};
 use crate::train::{Direction, Ticks, Train};
 use pace::Pace;
 use round::Round;
@@ -30,6 +30,10 @@ use straight::{Density, Straight};
 
 /// The way of the path that leads to the end: the one in which a distance may be 2³¹.
 const AHEAD: Direction = Direction::Negative;
+
+/// Limits of a path that leads nowhere.
+const IDLE: Limits =
+    Limits { scale: Scale::new(31), top: 1, start: 1, stop: 1, growth: 1, fall: 1, shape: Shape::Trapezoid };
 
 /// One interpolated move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,45 +82,69 @@ pub struct Path<const N: usize> {
 }
 
 impl<const N: usize> Path<N> {
-    /// Sets out at the end of clock `now`. The speeds of the limits are those of the axis with the longest
-    /// way on a line, and those along the circle otherwise; an axis that goes along a circle on a longer way
-    /// than that is the faster one, and no axis makes more than a pulse in two clocks. The axes that take part
-    /// forget their goals: they stay where the path leaves them.
+    /// A path that leads nowhere: no axis takes part.
+    pub const fn idle() -> Self {
+        Self {
+            slots: Mover::new(IDLE),
+            lender: 0,
+            slot: 0,
+            pace: Pace::EVERY_PULSE,
+            limits: IDLE,
+            straight: [Straight::NONE; N],
+            round: None,
+        }
+    }
+
+    /// A path that [sets out](Self::set_out).
     ///
     /// # Panics
     /// If an axis that takes part is moving, or an axis of an arc is none of these.
     pub fn new(limits: Limits, moves: &Move<N>, now: Ticks, axes: &mut [Axis; N]) -> Self {
-        let (mut way, mut round, mut pace) = (moves.way(), None, Pace::EVERY_PULSE);
+        let mut path = Self::idle();
+        path.set_out(limits, moves, now, axes);
+        path
+    }
+
+    /// Sets out at the end of clock `now`, whatever the path was before. The speeds of the limits are those of the
+    /// axis with the longest way on a line, and those along the circle otherwise; an axis that goes along a circle
+    /// on a longer way than that is the faster one, and no axis makes more than a pulse in two clocks. The axes that
+    /// take part forget their goals: they stay where the path leaves them.
+    ///
+    /// # Panics
+    /// If an axis that takes part is moving, or an axis of an arc is none of these.
+    pub fn set_out(&mut self, limits: Limits, moves: &Move<N>, now: Ticks, axes: &mut [Axis; N]) {
+        let mut way = moves.way();
+        (self.round, self.pace) = (None, Pace::EVERY_PULSE);
         let mut slots = None;
         if let Move::Arc(arc) = moves
             && let Some(motion) = arc.round()
         {
             let [slots_of_arc, length] = motion.slots();
-            pace = Pace { slots: slots_of_arc, length };
+            self.pace = Pace { slots: slots_of_arc, length };
             slots = Some(slots_of_arc as u32);
             arc.axes().into_iter().for_each(|axis| way[axis] = 0);
-            round = Some((arc.axes(), motion));
+            self.round = Some((arc.axes(), motion));
         }
         let longest = way.iter().map(|way| way.unsigned_abs()).max().unwrap_or(0);
         let slots = slots.unwrap_or(longest);
-        let mut path = Self {
-            slots: Mover::new(pace.limits(limits)),
-            lender: 0,
-            slot: 0,
-            pace,
-            limits: limits.clamped(),
-            straight: way.map(|way| Straight::new(way, slots)),
-            round,
-        };
+        (self.slot, self.limits) = (0, limits.clamped());
+        for (straight, way) in self.straight.iter_mut().zip(way) {
+            *straight = Straight::new(way, slots);
+        }
         for (number, axis) in axes.iter_mut().enumerate().rev() {
-            if path.involves(number) {
+            if self.involves(number) {
                 axis.carry(axis.direction(), 0);
-                path.lender = number;
+                self.lender = number;
             }
         }
-        path.slots.pass(now);
-        path.slots.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)), axes[path.lender].feet());
-        path
+        self.slots.restart(self.pace.limits(limits), now);
+        self.slots.set_goal(Goal::Position(0i32.wrapping_sub_unsigned(slots)), axes[self.lender].feet());
+    }
+
+    /// Stands still at once and leads nowhere any more.
+    pub fn clear(&mut self) {
+        self.slots.halt();
+        (self.straight, self.round) = ([Straight::NONE; N], None);
     }
 
     /// The number of an axis on the circle.

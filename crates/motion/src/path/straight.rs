@@ -45,6 +45,19 @@ pub struct Straight {
 }
 
 impl Straight {
+    /// No way.
+    pub const NONE: Self = Self {
+        way: 0,
+        slots: 0,
+        direction: Direction::Positive,
+        density: Density::None,
+        window: i64::MIN,
+        mask: 0,
+        beyond: 0,
+        part: 0,
+        next: 0,
+    };
+
     /// A way that takes so many slots: as many as pulses, or more.
     pub fn new(way: i32, slots: u32) -> Self {
         let (direction, way) = (Direction::of(way.into()), way.unsigned_abs());
