@@ -335,7 +335,7 @@ impl<F: Flash> Controller for Cmd4cr<F> {
     }
 
     fn is_moving(&self) -> bool {
-        !self.rides.is_empty() || self.axes.iter().any(Axis::is_moving)
+        self.rides.iter().any(Ride::is_on) || self.axes.iter().any(Axis::is_moving)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {

@@ -268,7 +268,7 @@ impl<F: Flash> Controller for Pmx2ed<F> {
     }
 
     fn is_moving(&self) -> bool {
-        self.line.is_some() || self.axes.iter().any(Axis::is_moving)
+        self.line.is_moving() || self.axes.iter().any(Axis::is_moving)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {
