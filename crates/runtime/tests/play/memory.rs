@@ -10,6 +10,8 @@ pub struct Memory<const WORD: usize, const PAGE: usize> {
     pub bytes: Vec<u8>,
     /// Words that are still written and pages that are still erased before the power goes.
     pub left: usize,
+    /// What the first bytes of the word or page then become; the others are as they were.
+    pub torn: Option<u8>,
 }
 
 /// Why it did not do something.
@@ -31,12 +33,25 @@ impl NorFlashError for Refusal {
 
 impl<const WORD: usize, const PAGE: usize> Memory<WORD, PAGE> {
     pub fn new(bytes: u32) -> Self {
-        Self { bytes: vec![0xFF; bytes as usize], left: usize::MAX }
+        Self { bytes: vec![0xFF; bytes as usize], left: usize::MAX, torn: None }
     }
 
-    fn work(&mut self) -> Result<(), Refusal> {
-        self.left = self.left.checked_sub(1).ok_or(Refusal::PowerLost)?;
-        Ok(())
+    /// Does one operation on some bytes; the last one before the power goes breaks off in the middle.
+    fn work(&mut self, place: usize, count: usize, change: impl Fn(&mut [u8])) -> Result<(), Refusal> {
+        let bytes = &mut self.bytes[place..place + count];
+        match self.left.checked_sub(1) {
+            Some(left) => {
+                self.left = left;
+                change(bytes);
+                Ok(())
+            }
+            None => {
+                if let Some(torn) = self.torn.take() {
+                    bytes[..count / 2].iter_mut().for_each(|byte| *byte &= torn);
+                }
+                Err(Refusal::PowerLost)
+            }
+        }
     }
 }
 
@@ -64,9 +79,8 @@ impl<const WORD: usize, const PAGE: usize> NorFlash for Memory<WORD, PAGE> {
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Refusal> {
         check_erase(self, from, to).map_err(Refusal::Kind)?;
-        for page in self.bytes[from as usize..to as usize].chunks_mut(PAGE) {
-            self.left = self.left.checked_sub(1).ok_or(Refusal::PowerLost)?;
-            page.fill(0xFF);
+        for page in (from as usize..to as usize).step_by(PAGE) {
+            self.work(page, PAGE, |bytes| bytes.fill(0xFF))?;
         }
         Ok(())
     }
@@ -74,12 +88,10 @@ impl<const WORD: usize, const PAGE: usize> NorFlash for Memory<WORD, PAGE> {
     fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refusal> {
         check_write(self, offset, bytes.len()).map_err(Refusal::Kind)?;
         for (place, word) in (offset as usize..).step_by(WORD).zip(bytes.chunks(WORD)) {
-            self.work()?;
-            let old = &mut self.bytes[place..place + WORD];
-            if old.iter().any(|byte| *byte != 0xFF) {
+            if self.bytes[place..place + WORD].iter().any(|byte| *byte != 0xFF) {
                 return Err(Refusal::NotErased);
             }
-            old.copy_from_slice(word);
+            self.work(place, WORD, |bytes| bytes.copy_from_slice(word))?;
         }
         Ok(())
     }
