@@ -78,9 +78,9 @@ impl Segment {
     }
 
     /// The same, and on over slots without a pulse. The lowest bit of the mask belongs to the slot that was reached.
-    /// There is a pulse left, so there is a bit.
     #[inline(never)]
     fn skip(&mut self) {
+        assert!(self.mask != 0, "there is a pulse left, so there is a bit");
         self.change();
         while self.mask & 1 == 0 {
             self.mask >>= 1;

@@ -10,4 +10,5 @@ mod rig;
 mod script;
 mod serial;
 mod session;
+mod sizes;
 mod tap;

@@ -43,6 +43,33 @@ fn within_a_tick() {
     check::<170_000_000>();
 }
 
+/// Spacings that change, in some slots or all, and from tick to tick of the main loop.
+#[test]
+fn curves_and_masks() {
+    fn check<const TIMER: u32>(mask: u64, interval: u64, add: i64, jerk: i64) {
+        let curve = Train {
+            interval: interval << 28,
+            add: add << 28,
+            jerk: jerk << 28,
+            count: if mask == EVERY_SLOT { 60 } else { mask.count_ones() },
+            direction: Direction::Negative,
+            mask,
+            ..train(20_000, 0, 0)
+        };
+        let even = train(20_000, 700, 60);
+        let acts = [(curve.edge(1), Act::Train(0, curve)), (20_700, Act::Train(1, even))];
+        let heard = play::<TIMER>(&acts, 100);
+        assert_eq!(heard.check_ticks(), curve.count as usize + 60);
+    }
+    for mask in [EVERY_SLOT, 1, 1 << 63, 0x8000_0000_0000_0001, 0x00F0_3355_0000_8001, u64::MAX >> 2, 0b10] {
+        check::<25_000_000>(mask, 16 * 700, 0, 0);
+        check::<25_000_000>(mask, 16 * 900, -170, 0);
+        check::<170_000_000>(mask, 16 * 3000, -1500, 35);
+        check::<170_000_000>(mask, 16 * 400 + 7, 300, -2);
+        check::<1_000_000>(mask, 16 * 3000, -1501, 33);
+    }
+}
+
 /// There is no room for all that happens within a horizon: the main loop waits, nothing is lost.
 #[test]
 fn more_than_queues_hold() {
