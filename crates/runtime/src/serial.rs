@@ -4,17 +4,19 @@ use crate::hardware::Serial;
 use heapless::Deque;
 
 /// Bytes that wait to be sent at a port.
-pub const SEND_BYTES: usize = 512;
+pub const SEND_BYTES: usize = 448;
 
 /// Pauses that are told apart among them.
-pub const SEND_MESSAGES: usize = 8;
+pub const SEND_MESSAGES: usize = 6;
 
 /// Bytes that a controller is given at a time.
 pub const CHUNK_BYTES: usize = 8;
 
-/// What the answers to so many bytes need at most: a command has at least two, and an answer at most 98
-/// (96 characters and an end of line). With less room nothing is read.
-pub const ANSWER_BYTES: usize = CHUNK_BYTES / 2 * 98;
+/// What they ask for at most: a command has two bytes or more.
+pub const ANSWERS: usize = CHUNK_BYTES / 2;
+
+/// The longest answer: 96 characters and an end of line.
+pub const ANSWER_BYTES: usize = 98;
 
 /// Bytes that belong together.
 #[derive(Clone, Copy, Debug)]
@@ -38,9 +40,10 @@ impl Outbox {
         Self { bytes: Deque::new(), messages: Deque::new(), talking: false }
     }
 
-    /// Whether there is room for all answers to the next bytes.
+    /// Whether there is room for all answers to the next bytes. If not, nothing is read.
     pub fn has_room(&self) -> bool {
-        SEND_BYTES - self.bytes.len() >= ANSWER_BYTES && !self.messages.is_full()
+        let bytes = self.bytes.len() + ANSWERS * ANSWER_BYTES;
+        bytes <= SEND_BYTES && self.messages.len() + ANSWERS <= SEND_MESSAGES
     }
 
     /// Takes bytes that may be sent from `due` on, and at once if that is `None`; all of them or, without room,
