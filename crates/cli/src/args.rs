@@ -21,6 +21,8 @@ pub enum Command {
     Serve(ServeArgs),
     /// Run a program in virtual time
     Run(RunArgs),
+    /// Play again what `run` or `serve` took down on a tape (.ptr), and print all that happens
+    Replay(ReplayArgs),
     /// Assemble a TMCL program
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
@@ -67,6 +69,9 @@ pub struct ServeArgs {
     /// Directory for flash images; without it they live in memory
     #[arg(long, value_name = "DIR")]
     pub state: Option<PathBuf>,
+    /// Write what happens to a file (.csv, .mcap, .svg or .vcd, one for each device; .ptr, a tape of all)
+    #[arg(long, value_name = "FILE")]
+    pub record: Vec<PathBuf>,
 }
 
 /// Arguments of `run`.
@@ -86,7 +91,7 @@ pub struct RunArgs {
     /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
     #[arg(long, value_name = "TIME:PIN=VALUE")]
     pub at: Vec<TimedInput>,
-    /// Write what happened to a file (.csv, .mcap or .vcd)
+    /// Write what happened to a file (.csv, .mcap or .vcd), or all that the device was told (.ptr)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
     /// Draw what happened (.svg)
@@ -95,6 +100,17 @@ pub struct RunArgs {
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `replay`.
+#[derive(Group)]
+pub struct ReplayArgs {
+    /// The tape
+    #[arg(value_name = "FILE.ptr")]
+    pub tape: PathBuf,
+    /// Write what happens to a file as well (.csv, .mcap, .svg or .vcd), one for each device
+    #[arg(long, value_name = "FILE")]
+    pub record: Vec<PathBuf>,
 }
 
 /// Arguments of `asm`.

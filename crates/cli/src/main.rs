@@ -5,6 +5,7 @@
 
 mod args;
 mod programs;
+mod replay;
 mod run;
 mod serve;
 
@@ -51,6 +52,7 @@ fn execute(command: Command) -> Outcome {
     match command {
         Command::Serve(args) => serve::serve(args),
         Command::Run(args) => run::run(args),
+        Command::Replay(args) => replay::replay(&args),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Compile(args) => programs::compile_file(&args),

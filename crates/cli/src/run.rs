@@ -5,13 +5,12 @@ use devices::ProgramRun;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use protocol::tmcl::Status;
 use sim::{
-    Bench, DeviceConfig, RunOptions, RunResult, VirtualDevice,
-    record::{self, RecordError},
+    Bench, DeviceConfig, RunOptions, RunResult, SharedFlash, VirtualDevice, record,
     run::Progress,
+    tape::{self, Tape},
 };
 use std::{
     io::{IsTerminal, stderr},
-    path::Path,
     time::{Duration, Instant},
 };
 
@@ -30,27 +29,34 @@ const SEED: u64 = 0;
 /// Runs a program and shows what came of it.
 pub fn run(args: RunArgs) -> Outcome {
     let loaded = programs::load(&args.program, args.device)?;
-    let mut device = VirtualDevice::new(&config(&args)?, SEED);
-    let info = device.record_info();
+    let config = config(&args)?;
+    let flash = SharedFlash::erased(config.model.flash_bytes);
+    let head = [(&config, config.seed.unwrap_or(SEED), &flash)];
+    let (tapes, files): (Vec<_>, Vec<_>) = args.record.iter().partition(|path| tape::is_tape(path));
     if let Some(plot) = &args.plot
         && plot.extension().is_none_or(|extension| extension != "svg")
     {
         return Err(Failure::Line(format!("{}: a plot is an .svg file", plot.display())));
     }
-    let files: Vec<&Path> = args.record.iter().chain(&args.plot).map(AsRef::as_ref).collect();
-    if let Some((_, file)) = files.iter().enumerate().find(|(at, file)| files[..*at].contains(file)) {
+    let all: Vec<_> = args.record.iter().chain(&args.plot).collect();
+    if let Some((_, file)) = all.iter().enumerate().find(|(at, file)| all[..*at].contains(file)) {
         return Err(Failure::Line(format!("{}: one file cannot hold two recordings", file.display())));
     }
-    let recorders =
-        files.iter().map(|file| record::create(file, &info)).collect::<Result<Vec<_>, RecordError>>()?;
-    recorders.into_iter().for_each(|recorder| device.add_recorder(recorder));
+    let tapes = tapes.into_iter().map(|path| Tape::create(path, &head)).collect::<Result<Vec<_>, _>>()?;
+    let mut device = VirtualDevice::with_flash(&config, flash.clone(), SEED);
+    tapes.iter().for_each(|tape| device.add_tape(tape.track(0)));
+    for file in files.into_iter().chain(&args.plot) {
+        device.add_recorder(record::create(file, &device.record_info())?);
+    }
 
     let options = RunOptions { for_seconds: Some(args.limit_s), inputs: args.at };
     let mut bar = Bar::new();
     let result = sim::run(&mut device, &loaded.program, &options, |progress| bar.show(progress));
     drop(bar);
     let result = result.map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
+    device.end_tape();
     device.finish_recordings()?;
+    tapes.iter().try_for_each(Tape::finish)?;
 
     while let Some(notice) = device.take_notice() {
         let command = tmcl::isa::instruction(notice.opcode).and_then(|entry| entry.mnemonic).unwrap_or("?");

@@ -27,7 +27,8 @@ pub fn serve(args: ServeArgs) -> Outcome {
     if devices.is_empty() {
         devices = one_of_each();
     }
-    let server = Server::start(Settings { devices, http, speed: args.speed, state: args.state })?;
+    let server =
+        Server::start(Settings { devices, http, speed: args.speed, state: args.state, record: args.record })?;
     let mut signals = server.signals()?;
     announce(&server)?;
     signals.wait();

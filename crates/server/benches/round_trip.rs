@@ -42,7 +42,8 @@ fn main() {
         DeviceConfig { listen, ..DeviceConfig::new(model) }
     };
     let devices = QUESTIONS.iter().map(device).collect();
-    let server = Server::start(Settings { devices, http: None, speed: 1.0, state: None }).expect("it starts");
+    let server = Server::start(Settings { devices, http: None, speed: 1.0, state: None, record: Vec::new() })
+        .expect("it starts");
     println!("median of {ROUNDS} round trips over TCP");
     let mut slow = Vec::new();
     for (question, (name, endpoint)) in QUESTIONS.iter().zip(server.ready()) {

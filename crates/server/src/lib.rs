@@ -23,7 +23,12 @@ pub use signals::Signals;
 use endpoint::{Framing, Line, Pty, Sockets};
 use http::Http;
 use images::Images;
-use sim::{Bus, DeviceConfig, Endpoint, PlaceError, VirtualDevice, flash::ImageError};
+use sim::{
+    Bus, DeviceConfig, Endpoint, PlaceError, VirtualDevice,
+    flash::ImageError,
+    record::{self, RecordError},
+    tape::{self, Tape, TapeError},
+};
 use std::{
     io,
     path::PathBuf,
@@ -44,6 +49,8 @@ pub struct Settings {
     pub speed: f64,
     /// Where the flash images live; without it they are lost at the end.
     pub state: Option<PathBuf>,
+    /// Recordings of every device, by the extension of the file: one file a device, a tape for all together.
+    pub record: Vec<PathBuf>,
 }
 
 /// Why the server does not start, or does not end well; one line of text.
@@ -84,6 +91,12 @@ pub enum Error {
     /// Another process uses the directory of the images.
     #[error("{}: another process keeps its state here", .0.display())]
     StateInUse(PathBuf),
+    /// A recording cannot be made.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// A tape cannot be made.
+    #[error(transparent)]
+    Tape(#[from] TapeError),
     /// A flash image cannot be loaded or saved.
     #[error(transparent)]
     Image(#[from] ImageError),
@@ -102,6 +115,8 @@ pub struct Server {
     stop: Stop,
     threads: Vec<JoinHandle<()>>,
     images: Images,
+    units: Vec<Arc<Unit>>,
+    tapes: Vec<Tape>,
     runtime: Runtime,
 }
 
@@ -130,10 +145,22 @@ impl Server {
         let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
         let http = http.transpose()?;
         let mut images = Images::open(settings.state)?;
+        let flashes = settings.devices.iter().map(|config| images.load(config));
+        let flashes = flashes.collect::<Result<Vec<_>, _>>()?;
+        let seed = random_seed();
+        let heads: Vec<_> =
+            settings.devices.iter().zip(&flashes).map(|(config, flash)| (config, seed, flash)).collect();
+        let (tapes, files): (Vec<_>, Vec<_>) = settings.record.iter().partition(|path| tape::is_tape(path));
+        let tapes =
+            tapes.into_iter().map(|path| Tape::create(path, &heads)).collect::<Result<Vec<_>, _>>()?;
         let mut units = Vec::new();
-        for config in &settings.devices {
-            let flash = images.load(config)?;
-            let device = VirtualDevice::with_flash(config, flash, random_seed());
+        for (number, (config, flash)) in settings.devices.iter().zip(&flashes).enumerate() {
+            let mut device = VirtualDevice::with_flash(config, flash.clone(), seed);
+            tapes.iter().for_each(|tape| device.add_tape(tape.track(number)));
+            for file in &files {
+                let file = record::file_of(file, &config.name, settings.devices.len() == 1);
+                device.add_recorder(record::create(&file, &device.record_info())?);
+            }
             units.push(Arc::new(Unit::new(config, device, settings.speed)));
         }
 
@@ -144,7 +171,8 @@ impl Server {
         }
         let url = http.as_ref().map(|(http, token)| http.url(token));
 
-        let mut server = Self { ready, url, stop: Stop::new()?, threads: Vec::new(), images, runtime };
+        let (stop, threads) = (Stop::new()?, Vec::new());
+        let mut server = Self { ready, url, stop, threads, images, units: units.clone(), tapes, runtime };
         for unit in &units {
             let (unit, stop) = (Arc::clone(unit), server.stop.watch());
             server.spawn("device", move || while !stop.within(Some(unit.tend())) {})?;
@@ -187,10 +215,10 @@ impl Server {
         Signals::catch(&self.runtime)
     }
 
-    /// Closes everything and saves the images.
+    /// Closes everything, ends the recordings and saves the images.
     ///
     /// # Errors
-    /// An image cannot be saved; the others are.
+    /// A recording or an image cannot be saved; the others are.
     pub fn stop(self) -> Result<(), Error> {
         drop(self.stop);
         // What is still asked over HTTP is answered or not; the state no longer counts.
@@ -199,7 +227,14 @@ impl Server {
             // A thread that panicked has said so.
             let _ = thread.join();
         }
-        self.images.save()
+        let mut result = self.images.save();
+        for unit in self.units {
+            result = result.and(unit.finish_recordings().map_err(Into::into));
+        }
+        for tape in self.tapes {
+            result = result.and(tape.finish().map_err(Into::into));
+        }
+        result
     }
 
     fn spawn(&mut self, name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Error> {

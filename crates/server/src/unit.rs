@@ -2,7 +2,7 @@
 
 use crate::{clock::Clock, endpoint::Sink};
 use devices::Port;
-use sim::{DeviceConfig, DeviceState, VirtualDevice};
+use sim::{DeviceConfig, DeviceState, VirtualDevice, record::RecordError};
 use std::{
     sync::{Arc, Mutex, MutexGuard, PoisonError, Weak},
     time::{Duration, Instant},
@@ -84,6 +84,14 @@ impl Unit {
     /// The state of the device now.
     pub fn state(&self) -> DeviceState {
         self.with(|device| device.state())
+    }
+
+    /// Ends what is recorded of the device, at the present time.
+    pub fn finish_recordings(&self) -> Result<(), RecordError> {
+        self.with(|device| {
+            device.end_tape();
+            device.finish_recordings()
+        })
     }
 
     /// Lets the device do what is due, and says how long it may then be left alone.

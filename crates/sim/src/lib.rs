@@ -11,6 +11,7 @@
 //! - [`machine`] follows the trains and says where the next input changes.
 //! - [`device`] is the event loop.
 //! - [`record`] writes what happened to files: one file a format.
+//! - [`tape`] takes down what devices are told, and plays it again.
 //! - [`mod@run`] runs a standalone program from its start to its end.
 //!
 //! Nothing here opens an endpoint, sleeps, or starts a thread.
@@ -21,6 +22,7 @@ pub mod flash;
 pub mod machine;
 pub mod record;
 pub mod run;
+pub mod tape;
 #[cfg(test)]
 mod testing;
 

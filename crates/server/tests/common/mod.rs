@@ -176,7 +176,7 @@ pub fn free_address() -> String {
 
 /// Settings for these devices, without HTTP and state.
 pub fn settings(devices: Vec<DeviceConfig>) -> Settings {
-    Settings { devices, http: None, speed: 1.0, state: None }
+    Settings { devices, http: None, speed: 1.0, state: None, record: Vec::new() }
 }
 
 /// A server for these devices.

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::flash::SharedFlash;
 use devices::{Controller, Model, Wiring};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::Path};
 use toml::{
     Spanned,
@@ -48,13 +48,13 @@ pub enum BenchError {
     },
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct BenchFile {
     device: Vec<DeviceEntry>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct DeviceEntry {
     model: String,
@@ -68,7 +68,7 @@ struct DeviceEntry {
     axis: BTreeMap<String, AxisEntry>,
 }
 
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct AxisEntry {
     negative_limit: Option<i64>,
@@ -86,11 +86,67 @@ struct AxisEntry {
 }
 
 /// Where the slowdown switch is on.
-#[derive(Deserialize)]
+#[derive(Deserialize, Serialize)]
 #[serde(untagged, expecting = "expected one zone as `[0, 5]` or two as `[[0, 5], [10, 15]]`")]
 enum SlowdownEntry {
     One([i64; 2]),
     Two([[i64; 2]; 2]),
+}
+
+impl From<&DeviceConfig> for DeviceEntry {
+    fn from(config: &DeviceConfig) -> Self {
+        let DeviceConfig { model, name, listen, axes, supply_v, temperature_c, seed } = config;
+        let usual = DeviceConfig::new(model);
+        // What is usual need not be said, and may not where the device has no such pin.
+        let unusual = |value: f64, usual: f64| (value != usual).then_some(value);
+        let controller = (model.build)(Box::new(SharedFlash::erased(model.flash_bytes)), 0);
+        let entry = |(axis, config): (&String, &AxisConfig)| {
+            (axis.clone(), AxisEntry::new(config, &AxisConfig::of_model(model.name), controller.axes()))
+        };
+        Self {
+            model: model.name.into(),
+            name: Some(name.clone()),
+            listen: listen.iter().map(ToString::to_string).collect(),
+            supply: unusual(*supply_v, usual.supply_v),
+            temperature: unusual(*temperature_c, usual.temperature_c),
+            seed: *seed,
+            axis: axes.iter().map(entry).collect(),
+        }
+    }
+}
+
+impl AxisEntry {
+    /// What an axis has that others do not.
+    fn new(config: &AxisConfig, usual: &AxisConfig, names: &[&str]) -> Self {
+        fn unusual<T: PartialEq + Copy>(value: T, usual: T) -> Option<T> {
+            (value != usual).then_some(value)
+        }
+        Self {
+            negative_limit: unusual(config.negative_limit, usual.negative_limit),
+            positive_limit: unusual(config.positive_limit, usual.positive_limit),
+            home: unusual(config.home, usual.home),
+            index_every: unusual(config.index_every, usual.index_every),
+            encoder_ratio: unusual(config.encoder_ratio, usual.encoder_ratio),
+            backlash: unusual(config.backlash, usual.backlash),
+            load: unusual(config.load, usual.load),
+            hard_stops: config.hard_stops,
+            slowdown: match config.slowdown {
+                [Some(one), None] => Some(SlowdownEntry::One(one)),
+                [Some(one), Some(two)] => Some(SlowdownEntry::Two([one, two])),
+                _ => None,
+            },
+            in_position_ms: config.in_position_ms,
+            mpg_from: config.mpg_from.map(|axis| names[axis].into()),
+            mpg_hz: unusual(config.mpg_hz, usual.mpg_hz),
+        }
+    }
+}
+
+/// The text of a bench file with these devices.
+pub fn text(devices: &[DeviceConfig]) -> String {
+    let file = BenchFile { device: devices.iter().map(Into::into).collect() };
+    // Numbers, texts and tables only.
+    toml::to_string(&file).expect("a bench can be written as TOML")
 }
 
 pub(super) fn read(path: &Path) -> Result<Bench, BenchError> {

@@ -6,7 +6,7 @@ mod file;
 mod tests;
 
 pub use endpoint::{Endpoint, EndpointError, PlaceError};
-pub use file::{BenchError, is_name};
+pub use file::{BenchError, is_name, text as bench_text};
 
 use crate::machine::fitting::fitting;
 use devices::Model;

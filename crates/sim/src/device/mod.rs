@@ -19,6 +19,7 @@ use crate::{
     config::{DeviceConfig, MAX_PULSES},
     flash::SharedFlash,
     record::{Mark, RecordError, RecordInfo, Recorder},
+    tape::{self, Act, Track},
 };
 use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramState};
 use motion::Ticks;
@@ -72,6 +73,7 @@ pub struct VirtualDevice {
     /// Where each pin's shaft was then.
     places: Vec<i64>,
     movements: Vec<Movement>,
+    tapes: Vec<Track>,
 }
 
 impl VirtualDevice {
@@ -104,6 +106,7 @@ impl VirtualDevice {
             told: Vec::new(),
             places: Vec::new(),
             movements: Vec::new(),
+            tapes: Vec::new(),
             controller,
         };
         device.start();
@@ -185,12 +188,15 @@ impl VirtualDevice {
 
     /// Bytes arrive at a port.
     pub fn receive(&mut self, port: Port, bytes: &[u8]) {
+        self.tell_tape(|| Act::Receive(port.into(), tape::hex(bytes)));
+        self.world.record_received(port, bytes);
         self.controller.receive(port, bytes, &mut self.world);
         self.settle();
     }
 
     /// Whoever was sending at a port has gone, maybe in the middle of something.
     pub fn hang_up(&mut self, port: Port) {
+        self.tell_tape(|| Act::HangUp(port.into()));
         self.controller.hang_up(port);
     }
 
@@ -229,6 +235,7 @@ impl VirtualDevice {
         if self.world.is_output(pin) {
             return Err(PinError::Driven(name.into()));
         }
+        self.tell_tape(|| Act::Pin(name.into(), Some(value)));
         self.put(pin, Some(level));
         Ok(())
     }
@@ -239,6 +246,7 @@ impl VirtualDevice {
     /// [`PinError::Unknown`] and [`PinError::Output`].
     pub fn release_pin(&mut self, name: &str) -> Result<(), PinError> {
         let pin = self.input_pin(name)?;
+        self.tell_tape(|| Act::Pin(name.into(), None));
         self.put(pin, None);
         Ok(())
     }
@@ -264,6 +272,7 @@ impl VirtualDevice {
                 Some(pins::to_drive(&self.pins()[pin], value)?)
             }
         };
+        self.tell_tape(|| Act::Plan(at, input.pin.clone(), input.value));
         self.schedule.add(at.max(self.now()), pin, level);
         Ok(())
     }
@@ -273,10 +282,12 @@ impl VirtualDevice {
     /// # Errors
     /// [`AxisError`].
     pub fn set_load(&mut self, axis: &str, load: f64) -> Result<(), AxisError> {
+        let name = axis;
         let axis = self.axis_index(axis)?;
         if !(0.0..=1000.0).contains(&load) {
             return Err(AxisError::Range);
         }
+        self.tell_tape(|| Act::Load(name.into(), load));
         self.world.machine.set_load(axis, load);
         self.world.windows[axis] = None;
         self.settle();
@@ -288,10 +299,12 @@ impl VirtualDevice {
     /// # Errors
     /// [`AxisError`].
     pub fn push(&mut self, axis: &str, distance: i64) -> Result<(), AxisError> {
+        let name = axis;
         let axis = self.axis_index(axis)?;
         if !(-MAX_PULSES..=MAX_PULSES).contains(&distance) {
             return Err(AxisError::Range);
         }
+        self.tell_tape(|| Act::Push(name.into(), distance));
         self.world.machine.push(axis, distance);
         self.world.windows[axis] = None;
         self.world.stir(Stirred::Contacts);
@@ -304,10 +317,12 @@ impl VirtualDevice {
     /// # Errors
     /// [`AxisError`].
     pub fn lose(&mut self, axis: &str, pulses: u64) -> Result<(), AxisError> {
+        let name = axis;
         let axis = self.axis_index(axis)?;
         if pulses > MAX_PULSES.unsigned_abs() {
             return Err(AxisError::Range);
         }
+        self.tell_tape(|| Act::Lose(name.into(), pulses));
         self.world.machine.lose(axis, pulses);
         self.world.windows[axis] = None;
         self.settle();
@@ -326,7 +341,9 @@ impl VirtualDevice {
         if !self.controller.has_pulser(axis) {
             return Err(AxisError::NoPulser(name.into()));
         }
-        self.wheels[axis].turn(counts, self.world.now()).map_err(|_| AxisError::Range)
+        self.wheels[axis].turn(counts, self.world.now()).map_err(|_| AxisError::Range)?;
+        self.tell_tape(|| Act::Mpg(name.into(), counts));
+        Ok(())
     }
 
     /// What the driver stage of an axis does.
@@ -348,12 +365,14 @@ impl VirtualDevice {
 
     /// Switches the supply off and on again. Flash operations that are running come to their end.
     pub fn power_cycle(&mut self) {
+        self.tell_tape(|| Act::PowerCycle);
         self.flash.finish();
         self.restart();
     }
 
     /// Cuts the supply and switches it on again. What flash had not finished is lost or torn.
     pub fn power_cut(&mut self) {
+        self.tell_tape(|| Act::PowerCut);
         self.world.set_clock(self.world.clock);
         self.flash.cut_now();
         self.restart();
@@ -402,6 +421,22 @@ impl VirtualDevice {
     pub fn add_recorder(&mut self, recorder: Box<dyn Recorder + Send>) {
         self.movements = self.movement();
         self.world.add_recorder(recorder);
+    }
+
+    /// Takes down on this tape, too, what the device is told. It has to be the tape of a device that was just
+    /// made.
+    pub fn add_tape(&mut self, track: Track) {
+        self.tapes.push(track);
+    }
+
+    /// Ends the tapes at the present clock.
+    pub fn end_tape(&mut self) {
+        self.tell_tape(|| Act::End);
+        self.tapes.clear();
+    }
+
+    fn tell_tape(&self, act: impl Fn() -> Act) {
+        self.tapes.iter().for_each(|track| track.put(self.now(), act()));
     }
 
     /// Ends all recordings, with a sample of the end where they have samples.

@@ -1,11 +1,12 @@
 //! Pins by name, and what can be put on them.
 
 use devices::{Pin, PinKind};
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 use std::{fmt, str::FromStr};
 
 /// What is on a pin.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "a pin takes true, false or a number")]
 pub enum PinValue {
     /// A digital pin: whether it is on. A switch that is pressed is on.
     Level(bool),

@@ -346,6 +346,11 @@ impl World {
         self.each(|recorder| recorder.mark(now, axis, mark));
     }
 
+    pub fn record_received(&mut self, port: Port, bytes: &[u8]) {
+        let now = self.now();
+        self.each(|recorder| recorder.received(now, port, bytes));
+    }
+
     fn put_out(&mut self, pin: usize, level: i32) {
         self.outputs[pin] = Some(level);
         self.record_pin(pin, level);
@@ -390,7 +395,9 @@ impl Board for World {
         if self.sent.len() == MAX_SENT {
             self.sent.pop_front();
         }
-        self.sent.push_back(Sent { at: self.now(), port, delay_ms, bytes: bytes.into() });
+        let now = self.now();
+        self.sent.push_back(Sent { at: now, port, delay_ms, bytes: bytes.into() });
+        self.each(|recorder| recorder.sent(now, port, bytes));
     }
 
     fn output(&mut self, pin: usize, on: bool) {

@@ -14,7 +14,7 @@ pub use self::mcap::McapRecorder;
 pub use self::vcd::VcdRecorder;
 pub use svg::SvgRecorder;
 
-use devices::{AxisState, Drive, Pin};
+use devices::{AxisState, Drive, Pin, Port};
 use motion::{Ticks, Train};
 use std::{
     fs::File,
@@ -99,6 +99,12 @@ pub trait Recorder {
     /// What an axis looks like now.
     fn sample(&mut self, at: Ticks, axis: usize, state: &AxisState);
 
+    /// Bytes came in at a port.
+    fn received(&mut self, _at: Ticks, _port: Port, _bytes: &[u8]) {}
+
+    /// Bytes left through a port.
+    fn sent(&mut self, _at: Ticks, _port: Port, _bytes: &[u8]) {}
+
     /// The recording ends. Nothing is called after this.
     ///
     /// # Errors
@@ -123,6 +129,17 @@ pub fn create(path: &Path, info: &RecordInfo) -> Result<Box<dyn Recorder + Send>
         "vcd" => Ok(Box::new(VcdRecorder::new(open(path)?, path, info))),
         _ => Err(RecordError::Format(path.into())),
     }
+}
+
+/// The file for the recording of a device: the one that was asked for, or beside others one with the device's name in
+/// front of the extension.
+pub fn file_of(path: &Path, device: &str, alone: bool) -> PathBuf {
+    if alone {
+        return path.into();
+    }
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{stem}-{device}.{extension}"))
 }
 
 fn open(path: &Path) -> Result<BufWriter<File>, RecordError> {
@@ -179,6 +196,13 @@ mod testing {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn several_devices_have_files_of_their_own() {
+        let file = Path::new("runs/a.b.csv");
+        assert_eq!(file_of(file, "stage", true), file);
+        assert_eq!(file_of(file, "stage", false), Path::new("runs/a.b-stage.csv"));
+    }
 
     #[test]
     fn seconds_are_exact() {
