@@ -13,9 +13,9 @@ struct Memory {
 }
 
 const IMAGES: &[Memory] = &[
-    Memory { image: "pd42-1140", flash: 128, ram: 40, stack: 16 },
-    Memory { image: "pmx-2ed", flash: 256, ram: 64, stack: 24 },
-    Memory { image: "cmd-4cr", flash: 256, ram: 80, stack: 24 },
+    Memory { image: "pd42-1140", flash: 128, ram: 32, stack: 6 },
+    Memory { image: "pmx-2ed", flash: 256, ram: 48, stack: 12 },
+    Memory { image: "cmd-4cr", flash: 256, ram: 64, stack: 12 },
 ];
 
 /// Where a board has its memory.

@@ -44,10 +44,11 @@ pub struct Loop<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> 
     reached: Ticks,
     /// Ticks so far. Wraps.
     ticks: u32,
+    started: bool,
 }
 
 impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c, C, H, AXES> {
-    /// Switches on a controller at its clock 0: tells it what is not at rest, and lets it begin.
+    /// A controller that begins at its clock 0 with the first [turn](Self::turn).
     ///
     /// # Panics
     /// If the board has other axes than the controller, too many ports, or a timer that does not go with its clock.
@@ -62,14 +63,18 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
             pins.pulsers[axis] = hardware.pulser(axis);
         }
         let outside = Outside::new(hardware, plan, clock, pins, now);
-        let mut main = Self { controller, outside, until, reached: 0, ticks: 0 };
-        main.poll_analog();
-        main.poll_pins(true);
-        main.advance_to(0);
+        Self { controller, outside, until, reached: 0, ticks: 0, started: false }
+    }
+
+    /// Tells the controller what is not at rest, and lets it begin. Not where the loop is made: a small stack has no
+    /// room for both.
+    fn start(&mut self) {
+        self.poll_analog();
+        self.poll_pins(true);
+        self.advance_to(0);
         // From here on the clock must go with the timer; setting the outputs may have taken long.
-        let now = main.outside.look();
-        main.begin_at(now + u64::from(H::Timer::HZ / TICK_HZ * HORIZON));
-        main
+        let now = self.outside.look();
+        self.begin_at(now + u64::from(H::Timer::HZ / TICK_HZ * HORIZON));
     }
 
     /// What the hardware has to say.
@@ -84,6 +89,9 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
 
     /// Does whatever there is to do now.
     pub fn turn(&mut self) {
+        if !core::mem::replace(&mut self.started, true) {
+            self.start();
+        }
         self.outside.look();
         self.receive();
         if self.outside.hardware.ticked() {

@@ -5,7 +5,34 @@ use crate::board;
 use core::fmt::{self, Display};
 use core::panic::PanicInfo;
 use core::sync::atomic::{AtomicBool, Ordering};
-use cortex_m::peripheral::SCB;
+use cortex_m::peripheral::{MPU, SCB};
+
+#[allow(unsafe_code)]
+// SAFETY: the linker script has it; only its address is of use.
+unsafe extern "C" {
+    static _stack_end: u32;
+}
+
+/// Bytes below the stack that nobody may touch: more than any function has on it.
+const GUARD_BYTES: u32 = 1 << GUARD_BITS;
+const GUARD_BITS: u32 = 15;
+
+/// Makes a stack that runs over a fault, whatever the chip has below it: region 0 of the memory protection unit allows
+/// nothing there, and outside of it all is as without the unit (Armv7-M manual, B3.5).
+pub fn guard_stack() {
+    let bottom = (&raw const _stack_end).addr() as u32;
+    assert!(bottom.is_multiple_of(GUARD_BYTES), "a region begins at a multiple of its size");
+    // SAFETY: the program has nothing below its stack.
+    #[allow(unsafe_code)]
+    unsafe {
+        let mpu = &*MPU::PTR;
+        mpu.rbar.write((bottom - GUARD_BYTES) | 1 << 4);
+        mpu.rasr.write(1 << 28 | (GUARD_BITS - 1) << 1 | 1);
+        mpu.ctrl.write(1 << 2 | 1);
+    }
+    cortex_m::asm::dsb();
+    cortex_m::asm::isb();
+}
 
 /// Stops and stores the cause; if that fails too, it just stops.
 fn stop(cause: &dyn Display) -> ! {

@@ -14,11 +14,17 @@ use core::cell::RefCell;
 use core::fmt::Write as _;
 use critical_section::Mutex;
 use devices::Controller;
-use runtime::{Pages, Player, Queues};
+use runtime::{Loop, Pages, Plan, Player, Queues};
 use static_cell::StaticCell;
 
 /// The memory for a controller's settings.
 pub type Settings = Pages<board::Nor>;
+
+/// The main loop of a controller.
+type Main<C, const AXES: usize> = Loop<'static, 'static, C, board::Hardware, AXES>;
+
+/// What it is made of.
+type Parts<C, const AXES: usize> = (&'static mut C, board::Hardware, Plan<'static, AXES>);
 
 /// What an image has to know of a model.
 pub struct Model {
@@ -44,17 +50,19 @@ struct Interrupt<const AXES: usize> {
 
 /// What stands between a controller and its pins, in places that last. Nothing in it has a value before it runs, so that
 /// it takes no flash.
-pub struct Image<const AXES: usize> {
+pub struct Image<C: Controller + 'static, const AXES: usize> {
+    main: StaticCell<Main<C, AXES>>,
     queues: StaticCell<Queues<AXES>>,
     player: StaticCell<Interrupt<AXES>>,
     /// The same, once it is there.
     interrupt: Mutex<RefCell<Option<&'static mut Interrupt<AXES>>>>,
 }
 
-impl<const AXES: usize> Image<AXES> {
+impl<C: Controller, const AXES: usize> Image<C, AXES> {
     /// Room for it.
     pub const fn new() -> Self {
         Self {
+            main: StaticCell::new(),
             queues: StaticCell::new(),
             player: StaticCell::new(),
             interrupt: Mutex::new(RefCell::new(None)),
@@ -65,13 +73,30 @@ impl<const AXES: usize> Image<AXES> {
     ///
     /// # Panics
     /// The second time, and where board and controller do not fit.
-    pub fn run<C: Controller>(
+    pub fn run(&'static self, model: Model, controller: &'static mut C, power_on: impl FnOnce(&mut C)) -> ! {
+        fault::guard_stack();
+        let parts = self.switch_on(model, controller, power_on);
+        let main = self.begin(parts);
+        loop {
+            main.turn();
+            main.rest();
+        }
+    }
+
+    /// Makes the main loop. Like what comes before, apart, so that nothing of it stays on the stack.
+    #[inline(never)]
+    fn begin(&'static self, (controller, hardware, plan): Parts<C, AXES>) -> &'static mut Main<C, AXES> {
+        self.main.init_with(|| Loop::new(controller, hardware, plan))
+    }
+
+    /// Everything before that.
+    #[inline(never)]
+    fn switch_on(
         &'static self,
-        model: Model,
+        Model { name, settings_bytes }: Model,
         controller: &'static mut C,
         power_on: impl FnOnce(&mut C),
-    ) -> ! {
-        let Model { name, settings_bytes } = model;
+    ) -> Parts<C, AXES> {
         let mut board = Board::take(controller.pins(), AXES, settings_bytes);
         let cause = last_stop(&mut board);
         let version = env!("CARGO_PKG_VERSION");
@@ -86,7 +111,7 @@ impl<const AXES: usize> Image<AXES> {
         let interrupt = self.player.init_with(|| Interrupt { player, timer, pins });
         critical_section::with(|section| self.interrupt.borrow_ref_mut(section).replace(interrupt));
         interrupts.enable(&cause);
-        runtime::run(controller, hardware, plan)
+        (controller, hardware, plan)
     }
 
     /// Plays what is due. For the interrupt of the player's timer, before which no other goes.
@@ -100,7 +125,7 @@ impl<const AXES: usize> Image<AXES> {
     }
 }
 
-impl<const AXES: usize> Default for Image<AXES> {
+impl<C: Controller, const AXES: usize> Default for Image<C, AXES> {
     fn default() -> Self {
         Self::new()
     }

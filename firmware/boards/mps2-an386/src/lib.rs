@@ -19,7 +19,7 @@ mod vectors;
 mod watchdog;
 
 pub use flash::{Nor, NorError};
-pub use hardware::Mps2;
+pub use hardware::Mps2 as Hardware;
 pub use pins::BenchPins as Pins;
 pub use serial::{Console, Serial};
 pub use timer::PlayerTimer;
@@ -53,7 +53,7 @@ macro_rules! player_interrupt {
 /// Everything that is on it.
 pub struct Board {
     /// For the main loop.
-    pub hardware: Mps2,
+    pub hardware: Hardware,
     /// For the player.
     pub timer: PlayerTimer,
     /// For the player.
@@ -101,7 +101,7 @@ impl Board {
         SETTINGS_BYTES.store(settings_bytes, Ordering::Relaxed);
         bench::begin(axes, settings_bytes, by_watchdog);
         Self {
-            hardware: Mps2::new(pins, axes),
+            hardware: Hardware::new(pins, axes),
             timer: PlayerTimer,
             pins: Pins::new(),
             causes,
@@ -131,5 +131,6 @@ pub fn causes_after_stop() -> Option<Nor> {
 pub fn stay_stopped() -> ! {
     loop {
         watchdog::feed();
+        cortex_m::asm::delay(timer::HZ / 1000);
     }
 }

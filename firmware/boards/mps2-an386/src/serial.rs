@@ -111,7 +111,7 @@ impl ReadReady for Serial {
 impl Read for Serial {
     fn read(&mut self, buffer: &mut [u8]) -> Result<usize, Infallible> {
         while !buffer.is_empty() && !self.kept.ready() {
-            core::hint::spin_loop();
+            cortex_m::asm::nop();
         }
         let mut read = 0;
         for (place, byte) in buffer.iter_mut().zip(core::iter::from_fn(|| self.kept.dequeue())) {
@@ -136,7 +136,7 @@ impl Write for Serial {
     fn write(&mut self, buffer: &[u8]) -> Result<usize, Infallible> {
         let Some(&byte) = buffer.first() else { return Ok(0) };
         while self.uart.state.get() & FULL != 0 {
-            core::hint::spin_loop();
+            cortex_m::asm::nop();
         }
         self.uart.data.set(byte.into());
         Ok(1)
@@ -144,7 +144,7 @@ impl Write for Serial {
 
     fn flush(&mut self) -> Result<(), Infallible> {
         while self.uart.state.get() & FULL != 0 {
-            core::hint::spin_loop();
+            cortex_m::asm::nop();
         }
         Ok(())
     }

@@ -42,6 +42,6 @@ unsafe fn NonMaskableInt() -> ! {
     RESET_NOTE.set(BARKED);
     crate::bench::stop();
     loop {
-        core::hint::spin_loop();
+        cortex_m::asm::nop();
     }
 }

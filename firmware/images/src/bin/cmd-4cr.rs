@@ -9,12 +9,14 @@ use static_cell::ConstStaticCell;
 
 const MODEL: Model = Model { name: "cmd-4cr", settings_bytes: FLASH_BYTES };
 
-static CONTROLLER: ConstStaticCell<Cmd4cr<Settings>> = ConstStaticCell::new(Cmd4cr::off(MODEL.settings()));
-static IMAGE: Image<4> = Image::new();
+type Controller = Cmd4cr<Settings>;
+
+static CONTROLLER: ConstStaticCell<Controller> = ConstStaticCell::new(Controller::off(MODEL.settings()));
+static IMAGE: Image<Controller, 4> = Image::new();
 
 #[entry]
 fn main() -> ! {
-    IMAGE.run(MODEL, CONTROLLER.take(), Cmd4cr::power_on)
+    IMAGE.run(MODEL, CONTROLLER.take(), Controller::power_on)
 }
 
 board::player_interrupt!(IMAGE.play());

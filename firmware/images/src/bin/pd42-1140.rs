@@ -9,8 +9,10 @@ use static_cell::ConstStaticCell;
 
 const MODEL: Model = Model { name: "pd42-1140", settings_bytes: FLASH_BYTES };
 
-static CONTROLLER: ConstStaticCell<Pd42<Settings>> = ConstStaticCell::new(Pd42::off(MODEL.settings()));
-static IMAGE: Image<1> = Image::new();
+type Controller = Pd42<Settings>;
+
+static CONTROLLER: ConstStaticCell<Controller> = ConstStaticCell::new(Controller::off(MODEL.settings()));
+static IMAGE: Image<Controller, 1> = Image::new();
 
 #[entry]
 fn main() -> ! {

@@ -9,12 +9,14 @@ use static_cell::ConstStaticCell;
 
 const MODEL: Model = Model { name: "pmx-2ed", settings_bytes: FLASH_BYTES };
 
-static CONTROLLER: ConstStaticCell<Pmx2ed<Settings>> = ConstStaticCell::new(Pmx2ed::off(MODEL.settings()));
-static IMAGE: Image<2> = Image::new();
+type Controller = Pmx2ed<Settings>;
+
+static CONTROLLER: ConstStaticCell<Controller> = ConstStaticCell::new(Controller::off(MODEL.settings()));
+static IMAGE: Image<Controller, 2> = Image::new();
 
 #[entry]
 fn main() -> ! {
-    IMAGE.run(MODEL, CONTROLLER.take(), Pmx2ed::power_on)
+    IMAGE.run(MODEL, CONTROLLER.take(), Controller::power_on)
 }
 
 board::player_interrupt!(IMAGE.play());

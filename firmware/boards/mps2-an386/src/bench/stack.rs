@@ -20,34 +20,39 @@ pub fn size() -> u32 {
     start.addr().wrapping_sub(end.addr()) as u32
 }
 
-/// Goes on from where the paint was last found to end, so that it costs next to nothing to ask often.
+/// Words that are looked at in one go.
+const STRIDE: usize = 64;
+
+/// Looks for the end of the paint, a part of the stack at a time: it is asked often.
 pub struct Gauge {
-    /// Bytes that still had paint.
-    unused: u32,
+    /// Words that still had paint when the whole was looked at.
+    painted: usize,
+    /// How far it has come.
+    at: usize,
 }
 
 impl Gauge {
     /// Before it has looked.
     pub const fn new() -> Self {
-        Self { unused: u32::MAX }
+        Self { painted: usize::MAX, at: 0 }
     }
 
-    /// Bytes that were never used.
+    /// Bytes that were never used, as far as is known.
     pub fn unused(&mut self) -> u32 {
         let (bottom, _) = bounds();
-        let mut words = 0;
-        let most = self.unused.min(size()) / 4;
-        while words < most {
+        self.painted = self.painted.min(size() as usize / 4);
+        let end = self.painted.min(self.at + STRIDE);
+        let used = (self.at..end).find(|&word| {
             // SAFETY: inside the stack, which is memory for as long as there is a program, aligned, and volatile,
             // since this function has its own words there.
             #[allow(unsafe_code)]
-            let word = unsafe { bottom.add(words as usize).read_volatile() };
-            if word != STACK_PAINT_VALUE {
-                break;
-            }
-            words += 1;
+            let word = unsafe { bottom.add(word).read_volatile() };
+            word != STACK_PAINT_VALUE
+        });
+        if let Some(word) = used {
+            self.painted = word;
         }
-        self.unused = words * 4;
-        self.unused
+        self.at = if end < self.painted { end } else { 0 };
+        4 * self.painted as u32
     }
 }
