@@ -87,14 +87,15 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
         &self.outside.figures
     }
 
-    /// Does whatever there is to do now.
+    /// Does whatever there is to do now. Most of the time that is nothing: each interrupt wakes the loop, those of the
+    /// player too.
     pub fn turn(&mut self) {
         if !core::mem::replace(&mut self.started, true) {
             self.start();
         }
-        self.outside.look();
         self.receive();
         if self.outside.hardware.ticked() {
+            self.outside.look();
             self.ticks = self.ticks.wrapping_add(1);
             let housekeeping = self.ticks.is_multiple_of(HOUSEKEEPING);
             self.poll_pins(housekeeping);
@@ -126,6 +127,8 @@ impl<'q, 'c, C: Controller + ?Sized, H: Hardware, const AXES: usize> Loop<'q, 'c
             let Ok(true) = serial.read_ready() else { continue };
             let (port, mut bytes) = (*port, [0; CHUNK_BYTES]);
             let Ok(count @ 1..) = serial.read(&mut bytes) else { continue };
+            // Pauses count from now.
+            self.outside.look();
             self.catch_up();
             self.controller.receive(port, &bytes[..count], &mut self.outside);
         }

@@ -2,7 +2,7 @@
 
 use crate::clock::Clock;
 use crate::figures::Figures;
-use crate::hardware::{Hardware, MAX_PORTS, Timer};
+use crate::hardware::{Hardware, MAX_PORTS, Timer, TimerTicks};
 use crate::inputs::Pins;
 use crate::queues::{EVENT_BIT, Event, Plan, What};
 use crate::serial::Outbox;
@@ -24,10 +24,9 @@ pub(crate) struct Outside<'q, H: Hardware, const AXES: usize> {
     pub shift: u64,
     /// Slips of the player that are counted.
     slips: u32,
-    /// Ticks of the player up to the last rest.
-    played: u64,
-    /// When the main loop woke.
-    woke: u64,
+    /// When the main loop woke, and the ticks of the player until then. Both wrap.
+    woke: TimerTicks,
+    played: u32,
     /// When what the controller does now is due.
     due: u64,
 }
@@ -46,7 +45,7 @@ impl<'q, H: Hardware, const AXES: usize> Outside<'q, H, AXES> {
             shift: 0,
             slips: 0,
             played: 0,
-            woke: now,
+            woke: now as TimerTicks,
             due,
         }
     }
@@ -67,14 +66,12 @@ impl<'q, H: Hardware, const AXES: usize> Outside<'q, H, AXES> {
 
     /// Nothing to do until the next interrupt.
     pub fn rest(&mut self) {
-        self.look();
-        let player =
-            self.figures.player_ticks - core::mem::replace(&mut self.played, self.figures.player_ticks);
-        self.figures.awake_ticks += (self.now - self.woke).saturating_sub(player);
+        let player = self.plan.shared().ticks.load(Relaxed).wrapping_sub(self.played);
+        let awake = self.hardware.now().wrapping_sub(self.woke).wrapping_sub(player);
+        self.figures.awake_ticks += u64::from(awake);
         self.hardware.rest();
-        self.look();
-        self.played = self.figures.player_ticks;
-        self.woke = self.now;
+        self.woke = self.hardware.now();
+        self.played = self.plan.shared().ticks.load(Relaxed);
     }
 
     /// Sends what the ports take.
