@@ -8,6 +8,8 @@ mod fault;
 
 #[cfg(feature = "mps2-an386")]
 pub use mps2_an386 as board;
+#[cfg(all(feature = "nucleo-g474re", not(feature = "mps2-an386")))]
+pub use nucleo_g474re as board;
 
 use board::Board;
 use core::cell::RefCell;

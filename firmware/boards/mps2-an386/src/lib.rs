@@ -32,7 +32,9 @@ use devices::Pin;
 pub const NAME: &str = "mps2-an386";
 
 /// Where random numbers start from: as in simulated runs.
-pub const SEED: u64 = 0;
+pub const fn seed() -> u64 {
+    0
+}
 
 /// Bytes of flash for the settings, once the board is taken.
 static SETTINGS_BYTES: AtomicU32 = AtomicU32::new(0);

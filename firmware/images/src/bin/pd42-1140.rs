@@ -16,7 +16,7 @@ static IMAGE: Image<Controller, 1> = Image::new();
 
 #[entry]
 fn main() -> ! {
-    IMAGE.run(MODEL, CONTROLLER.take(), |module| module.power_on(board::SEED))
+    IMAGE.run(MODEL, CONTROLLER.take(), |module| module.power_on(board::seed()))
 }
 
 board::player_interrupt!(IMAGE.play());
