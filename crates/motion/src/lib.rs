@@ -25,6 +25,7 @@ pub mod speed;
 pub mod sync;
 pub mod tmc429;
 pub mod train;
+mod wide;
 
 pub use axis::{Axis, Goal, Stop};
 pub use path::{Arc, Move, Path};

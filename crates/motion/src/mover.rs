@@ -10,6 +10,7 @@ use crate::plan::{self, Kind, Limits, Now, Piece, Run, Shape, Wish};
 use crate::scurve::{self, Course};
 use crate::speed::{MAX_SPEED, Pace, Speed, SpeedSquared};
 use crate::train::{Direction, FRACTION_BITS, Moment, Ticks, Train};
+use crate::wide::quotient;
 
 /// One whole pulse in 2⁻³².
 const WHOLE: u64 = 1 << 32;
@@ -368,9 +369,10 @@ impl Mover {
         let gone = Moment::at(self.now + 1).since(leg.train.start).unwrap_or(0).min(spacing - 1);
         let [from, to] = [self.pace, self.pace_after(leg, 1)].map(|pace| i64::from(pace.speed));
         // Over one pulse the speed is taken as linear in time; way is speed by time.
-        let share = ((u128::from(gone) << 32) / u128::from(spacing)) as i64;
+        let share = quotient(u128::from(gone) << 32, spacing.into()) as i64;
         let speed = from + (((to - from) * share) >> 32);
-        let way = (i128::from(share) * i128::from(from + speed) / i128::from(from + to)) as u64;
+        let [twice, ends] = [from + speed, from + to].map(|speed| speed as u128);
+        let way = quotient(share as u128 * twice, ends) as u64;
         let left = ((u128::from(self.rest) * u128::from(WHOLE - way.min(WHOLE - 1))) >> 32) as u64;
         (speed as Speed, left.max(1))
     }
@@ -564,10 +566,10 @@ impl Mover {
 impl Leg {
     /// The speed after some of the pulses, from that at the start.
     fn pace_after(&self, from: Pace, pulses: u32) -> Pace {
-        let count = i128::from(self.train.count);
         let between = |from: u64, to: u64| {
-            let change = (i128::from(to) - i128::from(from)) * i128::from(pulses) / count;
-            (i128::from(from) + change) as u64
+            let all = u128::from(from.abs_diff(to)) * u128::from(pulses);
+            let change = quotient(all, self.train.count.into()) as u64;
+            if to < from { from - change } else { from + change }
         };
         let to = self.end;
         match self.kind {

@@ -9,6 +9,7 @@ use crate::block::{MAX_BLOCK, SHARE_BITS, block_length, longest};
 use crate::foot::{self, Key, TRIPLE};
 use crate::speed::{Growth, MAX_GROWTH, MAX_SPEED, Scale, Speed, SpeedSquared, root, square};
 use crate::train::SubTicks;
+use crate::wide::quotient;
 
 /// How an axis approaches its target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +35,7 @@ impl Shape {
     pub const fn s_growth(mean: Growth, span: Speed, bend: Speed) -> Growth {
         let span = if span == 0 { 1 } else { span as u128 };
         let bend = if bend as u128 > span.div_ceil(2) { span.div_ceil(2) } else { bend as u128 };
-        let peak = mean as u128 * (span + 2 * bend) / span;
+        let peak = quotient(mean as u128 * (span + 2 * bend), span);
         if peak > MAX_GROWTH as u128 { MAX_GROWTH } else { peak as Growth }
     }
 }
@@ -105,7 +106,7 @@ impl Limits {
                     return square(speed as Speed).max(square(self.stop));
                 }
                 let bend =
-                    u64::try_from((u128::from(self.top) << 64) / u128::from(decay)).unwrap_or(u64::MAX);
+                    u64::try_from(quotient(u128::from(self.top) << 64, decay.into())).unwrap_or(u64::MAX);
                 let rise = (u128::from(self.fall) * u128::from(distance - bend.min(distance))) >> 32;
                 let rise = u64::try_from(rise).unwrap_or(u64::MAX);
                 square(self.top).saturating_add(rise).max(square(self.stop))
@@ -121,7 +122,9 @@ impl Limits {
             }
             Shape::Soft if top <= square(self.stop) => 0,
             Shape::Soft => {
-                u64::try_from((u128::from(root(top)) << 32).div_ceil(self.decay().into())).unwrap_or(u64::MAX)
+                let decay = u128::from(self.decay());
+                let pulses = quotient((u128::from(root(top)) << 32) + (decay - 1), decay);
+                u64::try_from(pulses).unwrap_or(u64::MAX)
             }
         }
     }

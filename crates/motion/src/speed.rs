@@ -6,6 +6,7 @@
 //! there at the stop speed, to the pulse.
 
 use crate::train::{FRACTION_BITS, SubTicks};
+use crate::wide::quotient;
 
 /// A speed: pulses a clock, times 2^[`Scale::bits`]. Below 2³¹.
 pub type Speed = u32;
@@ -53,7 +54,7 @@ impl Scale {
 
     /// The spacing of pulses at a speed, exact.
     pub const fn spacing(self, speed: Speed) -> SubTicks {
-        ((1u128 << (self.bits + FRACTION_BITS)) / speed as u128) as u64
+        quotient(1 << (self.bits + FRACTION_BITS), speed as u128) as u64
     }
 
     /// The same to 31 bits, for ramps.

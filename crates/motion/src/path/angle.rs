@@ -1,5 +1,7 @@
 //! Angles as fractions of a turn, with their sine and cosine, in whole numbers.
 
+use crate::wide::quotient;
+
 /// An angle in 2⁻⁶⁴ of a turn, counter-clockwise: it wraps as angles do.
 pub type Angle = u64;
 
@@ -86,7 +88,7 @@ pub fn of_point([x, y]: [i64; 2]) -> Angle {
 /// An angle in thousandths of a degree.
 pub fn of_millidegrees(angle: i32) -> Angle {
     let angle = i64::from(angle).rem_euclid(MILLIDEGREES) as u128;
-    ((angle * TURN + MILLIDEGREES as u128 / 2) / MILLIDEGREES as u128) as Angle
+    quotient(angle * TURN + MILLIDEGREES as u128 / 2, MILLIDEGREES as u128) as Angle
 }
 
 /// The length of an arc of a circle, in 2⁻³²: the square of the radius is below 2⁵⁶, and the angle a

@@ -2,6 +2,7 @@
 
 use crate::plan::{Limits, Shape};
 use crate::speed::{MAX_SPEED, Scale, Speed};
+use crate::wide::quotient;
 
 /// How many slots a path has for how many pulses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,12 +20,13 @@ impl Pace {
     /// A speed in pulses, or what else grows with the slots, in slots.
     fn slots(self, pulses: u64) -> u128 {
         let (slots, length) = (u128::from(self.slots) << 32, u128::from(self.length));
-        (u128::from(pulses) * slots + length / 2) / length
+        quotient(u128::from(pulses) * slots + length / 2, length)
     }
 
     /// The speed of an axis in pulses, for the speed of the slots and its share in 2⁻³².
     pub fn pulses(self, slots: u64, share: u64) -> Speed {
-        let speed = (u128::from(slots) << 8) * u128::from(self.length) / (u128::from(self.slots) << 32);
+        let speed =
+            quotient((u128::from(slots) << 8) * u128::from(self.length), u128::from(self.slots) << 32);
         ((speed * u128::from(share) + (1 << 39)) >> 40).min(MAX_SPEED.into()) as Speed
     }
 

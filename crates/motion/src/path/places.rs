@@ -7,6 +7,7 @@
 
 use super::angle::{self, Angle, UNIT_BITS};
 use super::circle::{PLACE_BITS, Place, Point};
+use crate::wide::quotient;
 
 /// Ticks from one place that is found from the angle to the next.
 pub const STRIDE: i64 = 64;
@@ -53,7 +54,7 @@ impl Spot {
 impl Places {
     /// An arc of a turn at the most, in ticks of less than a radian.
     pub fn new(start: Point, travel: u128, ticks: u64) -> Self {
-        let angle = (travel / u128::from(ticks)) as Angle;
+        let angle = quotient(travel, ticks.into()) as Angle;
         // As 4·sin², which has all its digits at small angles.
         let [_, half] = angle::cosine_and_sine(angle / 2).map(i128::from);
         let bend = ((half * half) >> (2 * UNIT_BITS - 65)) as i64;

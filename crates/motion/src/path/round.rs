@@ -10,6 +10,7 @@ use super::places::{Places, STRIDE, Spot};
 use super::steps::Steps;
 use super::window::{WINDOW, bits};
 use crate::train::Direction;
+use crate::wide::quotient;
 
 /// An arc in progress. Inside, arcs go counter-clockwise: others are mirrored.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +93,7 @@ impl Round {
     pub fn shares(&self, slot: i64) -> [u64; 2] {
         let radius = ((self.circle.squared() as u128) << (2 * PLACE_BITS)).isqrt();
         let [x, y] = self.places.of(slot >> self.slot_bits).at;
-        [y, x].map(|at| ((u128::from(at.unsigned_abs()) << 32) / radius) as u64)
+        [y, x].map(|at| quotient(u128::from(at.unsigned_abs()) << 32, radius) as u64)
     }
 
     /// Slots from `slot` to the first in which one of the axes (0 or 1) is so far below or above where it is
@@ -153,7 +154,8 @@ impl Round {
         let from = start.wrapping_add(self.places.angle_of(tick)).wrapping_sub(axis as u64 * QUARTER);
         let mut left = u128::from(2 * QUARTER - from % (2 * QUARTER));
         loop {
-            let ticks = (left * u128::from(self.places.ticks) + self.places.travel / 2) / self.places.travel;
+            let ticks =
+                quotient(left * u128::from(self.places.ticks) + self.places.travel / 2, self.places.travel);
             if ticks > 0 {
                 return tick + ticks as i64;
             }

@@ -6,6 +6,7 @@
 use super::window::{WINDOW, bits};
 use crate::speed::{MAX_SPEED, Speed};
 use crate::train::{Direction, MAX_SLOTS, Train};
+use crate::wide;
 use core::hint::select_unpredictable;
 
 /// Parts of a window whose bits are found together.
@@ -89,7 +90,8 @@ impl Straight {
     /// The speed of the axis, for the speed of the slots.
     pub fn speed(&self, slots: u64) -> Speed {
         let all = u64::from(self.slots.max(1));
-        let speed = (u128::from(slots) * u128::from(self.way) + u128::from(all / 2)) / u128::from(all);
+        let sum = u128::from(slots) * u128::from(self.way) + u128::from(all / 2);
+        let speed = wide::quotient(sum, all.into());
         speed.min(MAX_SPEED.into()) as Speed
     }
 

@@ -10,6 +10,7 @@ pub use windows::{COMMANDER, PERFORMAX, Window, positional, window};
 
 use crate::plan::{Limits, Shape};
 use crate::speed::{Growth, MAX_GROWTH, MAX_SPEED, Scale, Speed};
+use crate::wide::quotient;
 
 /// Clock of the Performax, in which its times are counted.
 pub const CLOCK_HZ: u32 = 20_000_000;
@@ -32,7 +33,7 @@ pub const fn speed(pps: u32, scale: Scale, clock_hz: u32) -> Speed {
 
 const fn wide(pps: u32, scale: Scale, clock_hz: u32) -> u128 {
     let clock_hz = clock_hz as u128;
-    (((pps as u128) << scale.bits()) + clock_hz / 2) / clock_hz
+    quotient(((pps as u128) << scale.bits()) + clock_hz / 2, clock_hz)
 }
 
 /// A kernel speed in pulses a second, to the nearest.
@@ -50,7 +51,7 @@ pub const fn growth([low, high]: [Speed; 2], ms: u32, scale: Scale, clock_hz: u3
     if gained == 0 || thousandths == 0 {
         return MAX_GROWTH;
     }
-    let growth = (gained + thousandths / 2) / thousandths;
+    let growth = quotient(gained + thousandths / 2, thousandths);
     if growth > MAX_GROWTH as u128 {
         MAX_GROWTH
     } else if growth == 0 {

@@ -2,6 +2,7 @@
 
 use crate::speed::{Growth, Pace, Scale, Speed, root, square};
 use crate::train::FRACTION_BITS;
+use crate::wide::quotient;
 
 /// A way in 2⁻³² pulses.
 pub type Way = u128;
@@ -59,7 +60,7 @@ impl Curve {
         let bits = scale.bits();
         let steepness = ((u128::from(span) + 2 * u128::from(bend)) << (bits + 1)) >> LONGEST_BITS;
         let growth = growth.max(steepness as u64);
-        let over_growth = |speed: u128| (speed << (bits + FINE_BITS + 1)) / u128::from(growth);
+        let over_growth = |speed: u128| quotient(speed << (bits + FINE_BITS + 1), growth.into());
         let short = span / 2 < bend;
         let (bend, bend_time, straight_time) = if short {
             // The time of a bend goes with the root of its span.
@@ -70,7 +71,7 @@ impl Curve {
             (u64::from(bend) << FINE_BITS, over_growth(2 * u128::from(bend)) as u64, straight)
         };
         let shift = bend_time.max(1).leading_zeros();
-        let inverse = ((1u128 << 126) / u128::from(bend_time.max(1) << shift)) as u64;
+        let inverse = quotient(1 << 126, (bend_time.max(1) << shift).into()) as u64;
         let mut curve = Self {
             scale,
             growth,
@@ -88,7 +89,7 @@ impl Curve {
             0
         } else {
             let [from, to] = curve.straight_ends();
-            (u128::from(square(to) - square(from)) << FRACTION_BITS) / u128::from(growth)
+            quotient(u128::from(square(to) - square(from)) << FRACTION_BITS, growth.into())
         };
         curve.ways = [foot, straight, shoulder];
         curve
@@ -266,7 +267,7 @@ const fn fine(speed: Speed) -> u64 {
 pub fn divide(dividend: u128, divisor: u64) -> u128 {
     match u64::try_from(dividend) {
         Ok(small) => u128::from(small / divisor),
-        Err(_) => dividend / u128::from(divisor),
+        Err(_) => quotient(dividend, divisor.into()),
     }
 }
 
