@@ -3,8 +3,9 @@
 //! Plain and object-safe: an image in memory, a file and a microcontroller's flash pages are the same to
 //! a controller, which puts a power-safe store of settings on top.
 
-/// Bytes of the smallest unit that can be written; writes start and end on multiples of it.
-pub const WORD_BYTES: u32 = 4;
+/// Bytes of the smallest unit that can be written, once after an erase; writes start and end on multiples of it.
+/// Flash of common chips has words of 8 bytes or parts of that.
+pub const WORD_BYTES: u32 = 8;
 
 /// Bytes of the smallest unit that can be erased. Erasing sets every bit; writing only clears bits.
 pub const PAGE_BYTES: u32 = 4096;

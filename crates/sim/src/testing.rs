@@ -1,7 +1,8 @@
 //! A small controller for tests: one axis at constant speed, which reports every input that it hears of.
 
 use devices::{
-    AxisState, Board, Controller, Drive, Model, Pin, PinKind, Port, ProgramState, Wiring, flash::Flash,
+    AxisState, Board, Controller, Drive, Model, Pin, PinKind, Port, ProgramState, Wiring,
+    flash::{Flash, WORD_BYTES},
 };
 use motion::{Direction, Moment, Ticks, Train, train::EVERY_SLOT};
 
@@ -65,7 +66,7 @@ pub enum Order {
     Drive(i16, u8),
     /// Watch these pins, as bits.
     Watch(u16),
-    /// Program a word of the flash.
+    /// Program a word of the flash: its lower half, the upper one is 0.
     Write(u32, u32),
     /// Switch the output.
     Out(bool),
@@ -207,7 +208,9 @@ impl Controller for TestController {
             1 => board.drive(0, Drive { step: (value >> 8) as i16, parts: 1, current: value as u8 }),
             2 => self.watched = value as u16,
             3 => {
-                let _ = self.flash.write((value >> 32) as u32, &(value as u32).to_le_bytes());
+                let mut word = [0; WORD_BYTES as usize];
+                word[..4].copy_from_slice(&(value as u32).to_le_bytes());
+                let _ = self.flash.write((value >> 32) as u32, &word);
             }
             4 => board.output(5, value != 0),
             5 if value > 1 => board.release(PORT),

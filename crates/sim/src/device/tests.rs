@@ -439,11 +439,11 @@ fn a_power_cut_loses_what_flash_had_not_finished() {
     let written = |wait| {
         let mut device = device(small());
         order(&mut device, Order::Write(0, 0));
-        order(&mut device, Order::Write(4, 0));
+        order(&mut device, Order::Write(8, 0));
         device.advance(wait);
         device.power_cut();
         let bytes = device.flash().to_bytes();
-        [bytes[0], bytes[4]]
+        [bytes[0], bytes[8]]
     };
     // A word takes 50 us, and a clock of this device 1 us.
     assert_eq!(written(0), [0xFF, 0xFF]);
