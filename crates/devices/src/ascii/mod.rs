@@ -11,6 +11,7 @@ pub mod clock;
 pub mod command;
 pub mod encoder;
 pub mod memory;
+pub mod outputs;
 pub mod parse;
 pub mod ports;
 pub mod reply;

@@ -72,7 +72,7 @@ impl<F: Flash> Cmd4cr<F> {
             }
             if core::mem::replace(&mut self.clears[axis].on, on) != on {
                 let inverted = self.polarity(axis) & polarity::ERROR_CLEAR != 0;
-                board.output(axis * pin::AXIS + pin::ERROR_CLEAR, on != inverted);
+                self.io.pins.set(axis * pin::AXIS + pin::ERROR_CLEAR, on != inverted, board);
             }
         }
     }

@@ -4,6 +4,7 @@
 use super::pins::{BITS, MAX_MV, PORTS, number as pin};
 use super::table::{AXIS_COUNT, Id};
 use super::{Cmd4cr, polarity};
+use crate::ascii::outputs::Outputs;
 use crate::board::{Board, Drive};
 use crate::flash::Flash;
 
@@ -40,6 +41,7 @@ pub struct Io {
     emergency: bool,
     start: bool,
     drives: [Option<Drive>; AXIS_COUNT],
+    pub pins: Outputs,
 }
 
 impl Io {
@@ -58,6 +60,7 @@ impl Io {
             emergency: false,
             start: false,
             drives: [None; AXIS_COUNT],
+            pins: Outputs::new(),
         }
     }
 
@@ -131,19 +134,20 @@ impl<F: Flash> Cmd4cr<F> {
     pub fn put_out(&mut self, board: &mut dyn Board) {
         let outputs = self.io.high_speed_outputs() ^ self.inverts(Id::OutputsPolarity, 1);
         for bit in 0..BITS {
-            board.output(pin::DO1 + bit, outputs >> bit & 1 != 0);
+            self.io.pins.set(pin::DO1 + bit, outputs >> bit & 1 != 0, board);
         }
         let driven = self.ports_out();
         let ports = self.io.port_outputs ^ self.inverts(Id::PortsPolarity, PORTS_OUT);
         for bit in (0..PORTS).filter(|bit| driven >> bit & 1 != 0) {
-            board.output(pin::IO1 + bit, ports >> bit & 1 != 0);
+            self.io.pins.set(pin::IO1 + bit, ports >> bit & 1 != 0, board);
         }
         for axis in 0..AXIS_COUNT {
             let on = self.io.enables >> axis & 1 != 0;
-            board.output(axis * pin::AXIS + pin::ENABLE, self.reads(axis, polarity::ENABLE, on));
+            let enable = self.reads(axis, polarity::ENABLE, on);
+            self.io.pins.set(axis * pin::AXIS + pin::ENABLE, enable, board);
             let clear = self.clears[axis].is_on();
             let clear = self.reads(axis, polarity::ERROR_CLEAR, clear);
-            board.output(axis * pin::AXIS + pin::ERROR_CLEAR, clear);
+            self.io.pins.set(axis * pin::AXIS + pin::ERROR_CLEAR, clear, board);
             let step = if polarity::reverses(self.polarity(axis)) { -STEP } else { STEP };
             let drive = Drive { step, parts: 1, current: if on { CURRENT } else { 0 } };
             if self.io.drives[axis].replace(drive) != Some(drive) {
@@ -209,7 +213,7 @@ impl<F: Flash> Cmd4cr<F> {
         let now = self.io.high_speed_outputs();
         if now != before {
             let level = (now ^ self.inverts(Id::OutputsPolarity, 1)) >> axis & 1 != 0;
-            board.output(pin::DO1 + axis, level);
+            self.io.pins.set(pin::DO1 + axis, level, board);
         }
     }
 
@@ -239,7 +243,7 @@ impl<F: Flash> Cmd4cr<F> {
         let released = self.ports_out() & !outputs as u32;
         self.memory.cells.set(Id::PortsOut, outputs);
         for bit in (0..PORTS).filter(|bit| released >> bit & 1 != 0) {
-            board.release(pin::IO1 + bit);
+            self.io.pins.release(pin::IO1 + bit, board);
         }
         self.put_out(board);
     }

@@ -4,6 +4,7 @@
 use super::pins::{MAX_MV, PORT_BITS, number as pin};
 use super::table::{AXIS_COUNT, Id};
 use super::{Pmx2ed, polarity};
+use crate::ascii::outputs::Outputs;
 use crate::board::{Board, Drive};
 use crate::flash::Flash;
 
@@ -25,6 +26,7 @@ pub struct Io {
     /// Levels of the limit inputs of each axis: plus, minus.
     limits: [[bool; 2]; AXIS_COUNT],
     drives: [Option<Drive>; AXIS_COUNT],
+    pins: Outputs,
 }
 
 impl Io {
@@ -35,6 +37,7 @@ impl Io {
             enables: 0,
             limits: [[false; 2]; AXIS_COUNT],
             drives: [None; AXIS_COUNT],
+            pins: Outputs::new(),
         }
     }
 
@@ -70,11 +73,13 @@ impl<F: Flash> Pmx2ed<F> {
     pub fn put_out(&mut self, board: &mut dyn Board) {
         for bit in 0..PORT_BITS {
             let on = self.io.outputs >> bit & 1 != 0;
-            board.output(pin::DO1 + bit, self.reads(0, polarity::OUTPUTS, on));
+            let level = self.reads(0, polarity::OUTPUTS, on);
+            self.io.pins.set(pin::DO1 + bit, level, board);
         }
         for axis in 0..AXIS_COUNT {
             let on = self.io.enables >> axis & 1 != 0;
-            board.output(pin::EO1 + axis, self.reads(axis, polarity::ENABLE, on));
+            let enable = self.reads(axis, polarity::ENABLE, on);
+            self.io.pins.set(pin::EO1 + axis, enable, board);
             let step = if self.polarity(axis) & polarity::DIRECTION != 0 { -STEP } else { STEP };
             let drive = Drive { step, parts: 1, current: if on { CURRENT } else { 0 } };
             if self.io.drives[axis].replace(drive) != Some(drive) {
