@@ -13,6 +13,7 @@ import time
 
 import page
 from page import Page
+from waiting import until
 
 ROOT = pathlib.Path(__file__).parents[1]
 FOLDER = os.environ.get("PULSETRAIN_IMAGES")
@@ -20,6 +21,8 @@ EXAMPLES = pathlib.Path(os.environ.get("PULSETRAIN_EXAMPLES", ROOT / "target/deb
 FIGURES = os.environ.get("PULSETRAIN_FIGURES")
 
 START_TIMEOUT_S = 10
+# Within this, what changes on an input has become pulses, and what the controller does has reached the pins.
+SETTLE_S = 0.002
 # So long an instruction takes: 2 to this power, in nanoseconds.
 INSTRUCTION_SHIFT = 3
 
@@ -36,8 +39,12 @@ def machines(*benches):
 class Image:
     """A running image. `endpoint` is where its first serial port is."""
 
-    def __init__(self, table, memory, *, endpoint="tcp:127.0.0.1:0", bus=None, images=FOLDER):
-        """The machine as `machines` gives it, the file of its memory, and the endpoints of its serial ports."""
+    def __init__(self, table, memory, *, endpoint="tcp:127.0.0.1:0", bus=None, rush=False, images=FOLDER):
+        """The machine as `machines` gives it, the file of its memory, and the endpoints of its serial ports.
+
+        Its time passes as the host's does, and where the host is late so is everything in it. In a rush it never
+        sleeps: its time is that of its instructions alone, and nothing is late.
+        """
         self.table = table
         self.memory = pathlib.Path(memory)
         self.console = self.memory.with_suffix(".console")
@@ -45,6 +52,7 @@ class Image:
         self._asked = [endpoint, bus]
         self.page = Page(self.memory)
         self.page.wire(table)
+        self.page.write(page.SPIN, rush)
         self._process = None
         self.start()
 
@@ -69,10 +77,14 @@ class Image:
             file.close()
         self._monitor = monitor.makefile("rw")
         monitor.close()
-        self._monitor.readline()
-        self.monitor("qmp_capabilities")
-        self.endpoint, self.bus = (self._endpoint(number, asked) for number, asked in enumerate(self._asked))
-        self.wait_started(starts)
+        try:
+            self._monitor.readline()
+            self.monitor("qmp_capabilities")
+            self.endpoint, self.bus = (self._endpoint(number, asked) for number, asked in enumerate(self._asked))
+            self.wait_started(starts)
+        except BaseException:
+            self.kill()
+            raise
 
     @staticmethod
     def _port(asked):
@@ -129,10 +141,21 @@ class Image:
         """Puts a level or a number on a pin, or gives it back to the machine if the value is `None`."""
         number, pin = self.pin(name)
         self.page.put(number, pin, value)
+        self.settle()
+
+    def settle(self):
+        """Waits until what was done has reached the pins, or what is on them the controller."""
+        end = self.time() + SETTLE_S
+        until(lambda: self.time() >= end, what="the main loop")
+
+    def time(self):
+        """Seconds of its own since it started, to the millisecond."""
+        return self.page.settled(page.TIME) / self.page.word(page.TIMER_HZ)
 
     def read(self, name):
         """What it drives on a pin: a level, or a number in the pin's unit."""
         number, pin = self.pin(name)
+        self.settle()
         value = self.page.output(number)
         value = pin["rest"] if value is None else value
         return page.signed(value) / pin["scale"] if pin["analog"] else bool(value)
@@ -151,7 +174,8 @@ class Image:
 
     def stop(self):
         """Ends it, and takes down what it measured of itself."""
-        if FIGURES and self._process.poll() is None:
+        # One that was stopped by a fault may have no stack left.
+        if FIGURES and self._process.poll() is None and not self.page.word(page.STOPPED):
             size, unused = self.page.word(page.STACK_SIZE), self.page.word(page.STACK_UNUSED)
             note(model=self.table["model"], stack_size=size, stack_used=size - unused, slips=self.page.word(page.SLIPS))
         self.kill()

@@ -1,12 +1,22 @@
 """Firmware images with the face of the server: the same arguments, the same names, the same calls."""
 
+import math
 import pathlib
 import tempfile
 import urllib.parse
 
 from image import FOLDER, Image, machines
 
-__all__ = ["FOLDER", "Images"]
+__all__ = ["FOLDER", "Images", "overrun"]
+
+
+# An image plays pulses that were planned this long before, and a switch cannot call them back.
+HORIZON_S = 0.0005
+
+
+def overrun(speed_pps):
+    """How many pulses an axis may go over a switch: a virtual controller stops at the pulse."""
+    return math.ceil(speed_pps * HORIZON_S) + 1 if FOLDER else 0
 
 
 class Images:

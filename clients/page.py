@@ -1,7 +1,7 @@
 """The memory that an emulated board shares with its bench: a flash, a page of numbers, and a log of pulses.
 
 The image writes what its pins do and what it measures of itself; the bench writes what is on its inputs. The
-board's half is `firmware/boards/mps2-an386/src/bench/page.rs`.
+board's half, which says what the numbers mean, is `firmware/boards/mps2-an386/src/bench/page.rs`.
 """
 
 import collections
@@ -10,22 +10,23 @@ import struct
 
 BYTES = 16 << 20
 PAGE, LOG = 0x10_0000, 0x20_0000
+LOG_ENTRIES = 0xE0_0000 // 16
 
 MAGIC = 0x5054_5242
 NOT_DRIVEN = 0x8000_0000
 
-# Words of the page: single ones, and the first of a table.
+# Words of the page.
 READY, STARTS, POKE, STACK_UNUSED, STACK_SIZE, SLIPS = 0, 1, 2, 3, 4, 5
-AWAKE_TICKS, PLAYER_TICKS, EDGES, ADVANCES = 8, 10, 12, 14
-TIMER_HZ, AXES, LOG_ROOM, LOGGED, START_CAUSE, STOPPED = 16, 17, 18, 19, 20, 21
-ODOMETERS, PULSES, DRIVES, OUTPUTS, INPUTS = 24, 32, 40, 64, 192
-ENCODERS, LOADS, PULSERS = 1216, 1280, 1288
+SLIPPED_TICKS, AWAKE_TICKS, PLAYER_TICKS, EDGES, TIME, SPIN = 6, 8, 10, 12, 48, 50
+TIMER_HZ, LOG_ROOM, LOGGED, START_CAUSE, STOPPED, FLASH_BYTES = 16, 18, 19, 20, 21, 22
+CAUSE_BYTES = 256
+# The first words of its tables, by axis, pin or channel.
+ODOMETERS, PULSES, DRIVES, OUTPUTS, INPUTS, ENCODERS = 0x18, 0x20, 0x28, 0x40, 0xC0, 0x4C0
+INPUT_WORDS, ENCODER_WORDS = 8, 4
 
-# What may be on an input, with the words that follow.
-INPUT_WORDS = 8
-NOTHING, LEVEL, ZONE = 0, 1, 2
-# What may turn an encoder.
-FOLLOWED = 2
+# What may be on an input, and what may turn an encoder.
+NOTHING, VALUE, ZONE = 0, 1, 2
+FOLLOWS = 2
 
 # What may be done to an image, for the word that pokes it.
 FAIL_ASSERTION, HANG, OVERRUN_STACK, BUS_FAULT = 1, 2, 3, 4
@@ -67,6 +68,11 @@ class Page:
             pass
         return value
 
+    def stored_cause(self):
+        """What lies in the flash behind the settings: why the image stopped."""
+        at = self.word(FLASH_BYTES)
+        return self._memory[at : at + CAUSE_BYTES]
+
     def odometer(self, axis):
         return signed(self.word(ODOMETERS + axis))
 
@@ -86,16 +92,16 @@ class Page:
         for number, pin in enumerate(table["pins"]):
             self.put(number, pin, None)
         for channel, encoder in enumerate(table["encoders"]):
-            words = FOLLOWED, encoder["axis"], encoder["numerator"], encoder["denominator"]
-            self.write(ENCODERS + 4 * channel, *words)
+            words = FOLLOWS, encoder["axis"], encoder["numerator"], encoder["denominator"]
+            self.write(ENCODERS + ENCODER_WORDS * channel, *words)
 
     def put(self, number, pin, value):
         """Puts a level or a number on a pin, or gives it back to the machine if the value is `None`."""
         zone = pin["zone"]
         if value is not None:
-            words = LEVEL, round(value * pin["scale"])
+            words = VALUE, round(value * pin["scale"])
         elif zone is None:
-            words = LEVEL, pin["rest"]
+            words = VALUE, pin["rest"]
         else:
             first, last = in_range(zone["first"]), in_range(zone["last"])
             words = ZONE, zone["axis"], first, last, zone["every"] or 0, pin["rest"]

@@ -3,9 +3,11 @@
 import pytest
 from pylablib.devices import Arcus
 
+from images import FOLDER
 from server import serve
 
-PERFORMAX_INTERFACES = ["pty", "tcp"]
+# See INTERFACES of trinamic.py.
+PERFORMAX_INTERFACES = ["tcp"] if FOLDER else ["pty", "tcp"]
 AXES = ["X", "Y"]
 
 # The bounds of both axes of the bench, in pulses.

@@ -130,6 +130,7 @@ def test_a_speed_changed_on_the_way(stage):
     replied(stage, "SSPDMX=0")
 
 
+@pytest.mark.server_only
 def test_the_encoder_follows_only_while_the_motor_has_power(stage):
     stage.set_encoder_reference("X", 100)
     stage.move_to("X", 600)

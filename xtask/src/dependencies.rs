@@ -5,7 +5,7 @@
 //! answer the same questions in a second and offline. `xtask/dependencies.toml` has the rules,
 //! `xtask/advisories.toml` the advisories.
 
-use crate::{advisories::Advisories, workplace::Workplace};
+use crate::{advisories::Advisories, firmware::toolchain::TARGET, workplace::Workplace};
 use anyhow::{Context, Result, bail};
 use cargo_metadata::{CargoOpt, Metadata, MetadataCommand, Package, semver::Version};
 use serde::Deserialize;
@@ -73,13 +73,13 @@ struct Dependency {
     source: Option<String>,
 }
 
-/// Checks the workspace and the fuzz targets.
+/// Checks the workspace, the firmware and the fuzz targets.
 pub fn check(workplace: &Workplace) -> Result<()> {
     let file = workplace.root.join("xtask/dependencies.toml");
     let rules: Rules =
         toml::from_str(&fs::read_to_string(&file)?).with_context(|| file.display().to_string())?;
     let advisories = Advisories::read(workplace)?;
-    let mut all = dependencies(&workplace.root.join("Cargo.toml"), &rules.platforms)?;
+    let mut all = shipped(workplace, &rules)?;
     let mut problems = duplicates(&all, &rules);
     if workplace.fuzz_manifest().exists() {
         // Only what is shipped has to be free of duplicates; all else holds for the fuzz targets too.
@@ -117,11 +117,18 @@ pub fn foreign_names(workplace: &Workplace) -> Result<BTreeSet<String>> {
     let file = workplace.root.join("xtask/dependencies.toml");
     let rules: Rules =
         toml::from_str(&fs::read_to_string(&file)?).with_context(|| file.display().to_string())?;
-    let mut all = dependencies(&workplace.root.join("Cargo.toml"), &rules.platforms)?;
+    let mut all = shipped(workplace, &rules)?;
     if workplace.fuzz_manifest().exists() {
         all.extend(dependencies(&workplace.fuzz_manifest(), &rules.platforms)?);
     }
     Ok(all.into_iter().filter(|one| one.source.is_some()).map(|one| one.name).collect())
+}
+
+/// What the program and the firmware are built from.
+fn shipped(workplace: &Workplace, rules: &Rules) -> Result<Vec<Dependency>> {
+    let mut all = dependencies(&workplace.root.join("Cargo.toml"), &rules.platforms)?;
+    all.extend(dependencies(&workplace.firmware_manifest(), &[TARGET.to_owned()])?);
+    Ok(all)
 }
 
 /// Everything that a workspace is built from on our platforms, with all features.

@@ -1,26 +1,26 @@
 //! The steps that Rust's own tools do.
 
 use crate::{
+    firmware::{self, toolchain::TARGET},
     tools,
     workplace::{Workplace, read, run},
 };
 use anyhow::Result;
 
-/// A target without an operating system, close to the microcontrollers the kernel is meant for.
-const BARE_METAL: &str = "thumbv7em-none-eabihf";
-
-/// `cargo fmt --check` on the workspace and on the fuzz targets.
+/// `cargo fmt --check` on the workspace, the firmware and the fuzz targets.
 pub fn format(workplace: &Workplace) -> Result<()> {
     workplace.cargo(&["fmt", "--all", "--check"])?;
+    workplace.cargo(&["fmt", "--manifest-path", "firmware/Cargo.toml", "--all", "--check"])?;
     if workplace.fuzz_manifest().exists() {
         workplace.cargo(&["fmt", "--manifest-path", "fuzz/Cargo.toml", "--check"])?;
     }
     Ok(())
 }
 
-/// Clippy on libraries, programs, tests, examples and benches.
+/// Clippy on libraries, programs, tests, examples and benches, and on the firmware.
 pub fn clippy(workplace: &Workplace) -> Result<()> {
-    workplace.cargo(&["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"])
+    workplace.cargo(&["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
+    firmware::clippy(workplace)
 }
 
 /// The `no_std` crates without their default features: for a bare-metal target where its core library is
@@ -31,11 +31,11 @@ pub fn no_std(workplace: &Workplace) -> Result<()> {
         arguments.extend(["-p", name]);
     }
     let sysroot = read(&mut workplace.command("rustc", &["--print", "sysroot"]))?;
-    let core = std::path::Path::new(sysroot.trim()).join("lib/rustlib").join(BARE_METAL);
+    let core = std::path::Path::new(sysroot.trim()).join("lib/rustlib").join(TARGET);
     if core.exists() {
-        arguments.extend(["--target", BARE_METAL]);
+        arguments.extend(["--target", TARGET]);
     } else {
-        println!("{BARE_METAL} is not installed (rustup target add {BARE_METAL}): on the host instead");
+        println!("{TARGET} is not installed (rustup target add {TARGET}): on the host instead");
     }
     workplace.cargo(&arguments)
 }

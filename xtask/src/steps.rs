@@ -1,6 +1,6 @@
 //! `cargo xtask test`: the list of steps, and how it is walked.
 
-use crate::{clients, dependencies, documents, fuzz, rust, workplace::Workplace};
+use crate::{clients, dependencies, documents, firmware, fuzz, rust, workplace::Workplace};
 use anyhow::{Result, bail};
 use std::{
     process::ExitCode,
@@ -16,7 +16,7 @@ struct Step {
 
 /// In the order in which they run: what is quick and fails most often comes first.
 const STEPS: &[Step] = &[
-    Step { name: "format", about: "rustfmt, the fuzz targets included", run: rust::format },
+    Step { name: "format", about: "rustfmt, firmware and fuzz targets included", run: rust::format },
     Step {
         name: "dependencies",
         about: "licences, sources, duplicates and advisories of all dependencies",
@@ -33,6 +33,11 @@ const STEPS: &[Step] = &[
         name: "clients",
         about: "unmodified third-party clients against the program",
         run: clients::check,
+    },
+    Step {
+        name: "firmware",
+        about: "the images for microcontrollers in QEMU, with the same clients",
+        run: firmware::check,
     },
     Step { name: "fuzz", about: "every fuzz target for a few seconds", run: fuzz::check },
 ];

@@ -1,10 +1,12 @@
 //! The clock interrupt, and sleeping until one of the board's interrupts.
 
+use crate::registers::PAGE;
 use crate::timer::HZ;
 use core::sync::atomic::{AtomicBool, Ordering};
 use cortex_m::peripheral::{SYST, syst::SystClkSource};
 use cortex_m_rt::exception;
 use runtime::hardware::TICK_HZ;
+use tock_registers::interfaces::Readable;
 
 /// There has been an interrupt since the main loop slept last.
 static AWAKE: AtomicBool = AtomicBool::new(false);
@@ -35,6 +37,11 @@ pub fn ticked() -> bool {
 /// Sleeps until an interrupt, unless there has been one since the last time. (WFE would be that in one; QEMU does
 /// not sleep then.)
 pub fn rest() {
+    while PAGE.spin.get() != 0 {
+        if AWAKE.swap(false, Ordering::Relaxed) {
+            return;
+        }
+    }
     cortex_m::interrupt::free(|_| {
         if !AWAKE.swap(false, Ordering::Relaxed) {
             cortex_m::asm::wfi();

@@ -1,7 +1,7 @@
 //! What the main loop sees of the board.
 
 use crate::bench::inputs::{Levels, Source};
-use crate::bench::page::NOT_DRIVEN;
+use crate::bench::page::{NOT_DRIVEN, set_long};
 use crate::bench::{self, poke, stack::Gauge};
 use crate::registers::PAGE;
 use crate::serial::Serial;
@@ -88,6 +88,7 @@ impl Hardware for Mps2 {
     fn report(&mut self, figures: &Figures) {
         timer::note();
         bench::figures(figures);
+        set_long(&PAGE.time, timer::extended(PlayerTimer.now()));
         PAGE.stack_unused.set(self.stack.unused());
         inputs::refresh(self.pins.len());
         poke::take();

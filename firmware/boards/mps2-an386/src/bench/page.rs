@@ -100,7 +100,12 @@ register_structs! {
         (0x0080 => pub pulses: [ReadWrite<u32>; AXES]),
         /// The driver stages: field a pulse in the lower half, parts, current.
         (0x00A0 => pub drive: [ReadWrite<u32>; AXES]),
-        (0x00C0 => _free),
+        /// Ticks of the timer since the start, at the last report.
+        (0x00C0 => pub time: [ReadWrite<u32>; 2]),
+        /// The host's: 1 lets the core wait for interrupts without sleeping, so that nothing but its instructions
+        /// counts as time, and not how late the host is.
+        (0x00C8 => pub spin: ReadOnly<u32>),
+        (0x00CC => _free),
         /// What is driven on each pin: 0, 1, the value, or [`NOT_DRIVEN`].
         (0x0100 => pub driven: [ReadWrite<u32>; PINS]),
         /// The host's.

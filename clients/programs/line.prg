@@ -1,0 +1,17 @@
+; Moves of each axis, and a line of both.
+PRG 0
+  HSPD=30000
+  LSPD=1000
+  ACC=150
+  EO=3
+  X5000
+  WAITX
+  HSPDY=8000
+  X-1000
+  Y2500
+  WAITX
+  WAITY
+  DELAY=37
+  X2000Y-2000
+  WAITX
+END
