@@ -1,13 +1,13 @@
 //! What the main loop sees of the board.
 
-use crate::bench::inputs::{Levels, Source};
+use crate::bench::inputs::{Levels, Source, Wiring};
 use crate::bench::page::{NOT_DRIVEN, set_long};
 use crate::bench::{self, poke, stack::Gauge};
 use crate::registers::PAGE;
 use crate::serial::Serial;
 use crate::timer::{self, PlayerTimer};
 use crate::vectors::Interrupt;
-use crate::{bench::inputs, clock, watchdog};
+use crate::{clock, watchdog};
 use cortex_m::peripheral::NVIC;
 use devices::{Pin, Port};
 use runtime::Figures;
@@ -20,13 +20,14 @@ pub struct Mps2 {
     pins: &'static [Pin],
     axes: usize,
     levels: Levels,
+    wiring: Wiring,
     stack: Gauge,
 }
 
 impl Mps2 {
     pub(crate) fn new(pins: &'static [Pin], axes: usize) -> Self {
         let ports = [(Port::Usb, Serial::open(0)), (Port::Rs485, Serial::open(1))];
-        Self { ports, pins, axes, levels: Levels::new(), stack: Gauge::new() }
+        Self { ports, pins, axes, levels: Levels::new(), wiring: Wiring::new(), stack: Gauge::new() }
     }
 }
 
@@ -47,7 +48,11 @@ impl Hardware for Mps2 {
     }
 
     fn ticked(&mut self) -> bool {
-        clock::ticked()
+        let ticked = clock::ticked();
+        if ticked {
+            self.levels.tick();
+        }
+        ticked
     }
 
     fn feed(&mut self) {
@@ -90,7 +95,7 @@ impl Hardware for Mps2 {
         bench::figures(figures);
         set_long(&PAGE.time, timer::extended(PlayerTimer.now()));
         PAGE.stack_unused.set(self.stack.unused());
-        inputs::refresh(self.pins.len());
+        self.wiring.refresh(self.pins.len());
         poke::take();
     }
 }

@@ -25,13 +25,12 @@ impl PinSet {
         self.0[pin / 32].fetch_or(1 << (pin % 32), Ordering::Relaxed);
     }
 
-    fn take(&self, pin: usize) -> bool {
-        let bit = 1 << (pin % 32);
-        self.0[pin / 32].fetch_and(!bit, Ordering::Relaxed) & bit != 0
+    fn take(&self) -> [u32; SET_WORDS] {
+        self.0.each_ref().map(|word| word.swap(0, Ordering::Relaxed))
     }
 }
 
-/// Levels that the player's interrupt has seen since the main loop looked last: low, high.
+/// Levels that the player's interrupt has seen since the clock ticked: low, high.
 static SEEN: [PinSet; 2] = [const { PinSet::empty() }; 2];
 
 /// The pins whose level depends on the odometer of each axis.
@@ -82,52 +81,83 @@ pub fn odometer(axis: usize) -> i32 {
     PAGE.odometer[axis].get() as i32
 }
 
-/// What the main loop is told of a pin's level.
+/// What the main loop is told of the pins' levels: the same for as long as a tick of its clock.
 pub struct Levels {
     /// What it was told last.
     told: [u32; SET_WORDS],
+    /// What it had been told when the clock ticked.
+    before: [u32; SET_WORDS],
+    /// What the player's interrupt had seen by then: low, high.
+    seen: [[u32; SET_WORDS]; 2],
 }
 
 impl Levels {
     pub const fn new() -> Self {
-        Self { told: [0; SET_WORDS] }
+        Self { told: [0; SET_WORDS], before: [0; SET_WORDS], seen: [[0; SET_WORDS]; 2] }
     }
 
-    /// The level of a pin: what it is now or, for once, what it has been since the last call. `rest` where nothing
-    /// is on it.
+    /// The clock has ticked.
+    pub fn tick(&mut self) {
+        self.before = self.told;
+        self.seen = SEEN.each_ref().map(PinSet::take);
+    }
+
+    /// The level of a pin: what it is now or, for a tick, what it has been in the one before. `rest` where nothing is
+    /// on it.
     pub fn level(&mut self, pin: usize, rest: bool) -> bool {
         let (axis, zone, rest) = match Source::of(pin) {
             Source::Rest => return rest,
             Source::Value(value) => return value != 0,
             Source::Zone { axis, zone, rest } => (axis, zone, rest),
         };
-        // First what has been, then what is: a change between the two is seen twice, and not missed.
-        let seen = [SEEN[0].take(pin), SEEN[1].take(pin)];
         let (inside, ..) = zone.look(odometer(axis));
         let now = inside != rest;
-        let bit = 1 << (pin % 32);
-        let told = self.told[pin / 32] & bit != 0;
-        let level = if now == told && seen[usize::from(!now)] { !now } else { now };
-        self.told[pin / 32] = if level { self.told[pin / 32] | bit } else { self.told[pin / 32] & !bit };
+        let (word, bit) = (pin / 32, 1 << (pin % 32));
+        let passed = now == (self.before[word] & bit != 0) && self.seen[usize::from(!now)][word] & bit != 0;
+        let level = now != passed;
+        self.told[word] = if level { self.told[word] | bit } else { self.told[word] & !bit };
         level
     }
 }
 
-/// Takes up what the host has changed since the last time. From the main loop.
-pub fn refresh(pins: usize) {
-    let mut on_axis = [[0; SET_WORDS]; MAX_AXES];
-    for pin in 0..pins {
-        if let Source::Zone { axis, .. } = Source::of(pin) {
-            on_axis[axis][pin / 32] |= 1 << (pin % 32);
-        }
-    }
-    for (set, words) in ON_AXIS.iter().zip(on_axis) {
-        for (word, value) in set.0.iter().zip(words) {
-            word.store(value, Ordering::Relaxed);
-        }
-    }
-    STALE.store(u32::MAX, Ordering::Release);
+/// What the host wrote on the inputs, as the main loop saw it last.
+pub struct Wiring {
+    /// A checksum of all switches and marks.
+    sum: u32,
 }
+
+impl Wiring {
+    pub const fn new() -> Self {
+        Self { sum: 0 }
+    }
+
+    /// Takes up what the host has changed since the last time.
+    pub fn refresh(&mut self, pins: usize) {
+        let mut on_axis = [[0; SET_WORDS]; MAX_AXES];
+        let mut sum = FNV_START;
+        for pin in 0..pins {
+            if let Source::Zone { axis, zone, rest } = Source::of(pin) {
+                on_axis[axis][pin / 32] |= 1 << (pin % 32);
+                let words =
+                    [pin as u32, axis as u32, zone.first as u32, zone.last as u32, zone.every, rest.into()];
+                sum = words.into_iter().fold(sum, |sum, word| (sum ^ word).wrapping_mul(FNV_PRIME));
+            }
+        }
+        if core::mem::replace(&mut self.sum, sum) == sum {
+            return;
+        }
+        for (set, words) in ON_AXIS.iter().zip(on_axis) {
+            for (word, value) in set.0.iter().zip(words) {
+                word.store(value, Ordering::Relaxed);
+            }
+        }
+        STALE.store(u32::MAX, Ordering::Release);
+    }
+}
+
+/// Of the checksum (FNV-1a, a word at a time).
+const FNV_START: u32 = 0x811C_9DC5;
+const FNV_PRIME: u32 = 0x0100_0193;
 
 /// The player's view of an axis: until where no input changes.
 pub struct Window {
@@ -152,6 +182,7 @@ impl Window {
     }
 
     #[cold]
+    #[inline(never)]
     fn look(&mut self, axis: usize, odometer: i32) {
         STALE.fetch_and(!(1 << axis), Ordering::Acquire);
         let (mut below, mut above) = (i64::from(i32::MIN) - 1, i64::from(i32::MAX) + 1);

@@ -21,6 +21,7 @@ pub fn edge(axis: usize, direction: Direction, due: TimerTicks, late: u32) {
 }
 
 #[cold]
+#[inline(never)]
 fn write(wanted: u32, axis: usize, direction: Direction, due: TimerTicks, late: u32) {
     let page = &*PAGE;
     let at = page.logged.get();
