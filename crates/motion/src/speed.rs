@@ -6,7 +6,6 @@
 //! there at the stop speed, to the pulse.
 
 use crate::train::{FRACTION_BITS, SubTicks};
-use crate::wide::quotient;
 
 /// A speed: pulses a clock, times 2^[`Scale::bits`]. Below 2³¹.
 pub type Speed = u32;
@@ -54,7 +53,10 @@ impl Scale {
 
     /// The spacing of pulses at a speed, exact.
     pub const fn spacing(self, speed: Speed) -> SubTicks {
-        quotient(1 << (self.bits + FRACTION_BITS), speed as u128) as u64
+        // Digit by digit, in base 2³²: on a chip the whole of it takes many times as long.
+        let (dividend, speed) = (1u64 << self.bits, speed as u64);
+        let (high, rest) = (dividend / speed, dividend % speed);
+        (high << FRACTION_BITS) + (rest << FRACTION_BITS) / speed
     }
 
     /// The same to 31 bits, for ramps.
@@ -162,6 +164,19 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn spacings_are_exact() {
+        for bits in 31..=49 {
+            let scale = Scale::new(bits);
+            for speed in
+                [scale.slowest(), scale.slowest() + 1, 1 << 20, 123_456_789, MAX_SPEED - 1, MAX_SPEED]
+            {
+                let exact = (1u128 << (bits + FRACTION_BITS)) / u128::from(speed);
+                assert_eq!(u128::from(scale.spacing(speed)), exact, "{bits} {speed}");
+            }
+        }
+    }
 
     #[test]
     fn quick_spacings_are_exact_to_31_bits() {

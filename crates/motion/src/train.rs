@@ -196,8 +196,12 @@ impl Train {
         if now >= self.end() {
             return self.count;
         }
-        // Spacings are positive, so edges are sorted. A cruise could be divided, but this runs only
-        // where a train is cut or looked at.
+        if (self.add, self.jerk, self.mask) == (0, 0, EVERY_SLOT) {
+            // A cruise may be long: one division.
+            let span = Moment::at(now + 1).since(self.start).unwrap_or(0);
+            return span.saturating_sub(1).checked_div(self.interval).unwrap_or(0) as u32;
+        }
+        // Spacings are positive, so edges are sorted.
         let (mut done, mut after) = (0, self.count);
         while after - done > 1 {
             let middle = done + (after - done) / 2;
@@ -415,7 +419,7 @@ mod tests {
     fn trains() -> Vec<Train> {
         let masks =
             [1 << 63, 1 << 63 | 1, 0x5555_5555_5555_5555, u64::MAX - 1, 0xF0F0_0000_0000_1230, 1 << 20];
-        let even = Train { add: 0, jerk: 0, ..ramp() };
+        let even = Train { interval: (300 << 32) + 0x9E37_79B9, add: 0, jerk: 0, ..ramp() };
         let both = [ramp(), even];
         both.iter()
             .flat_map(|train| masks.iter().filter_map(|&mask| train.masked(mask)).chain([*train]))
