@@ -174,9 +174,9 @@ class Image:
 
     def stop(self):
         """Ends it, and takes down what it measured of itself."""
-        # One that was stopped by a fault may have no stack left.
-        if FIGURES and self._process.poll() is None and not self.page.word(page.STOPPED):
-            size, unused = self.page.word(page.STACK_SIZE), self.page.word(page.STACK_UNUSED)
+        size, unused = self.page.word(page.STACK_SIZE), self.page.word(page.STACK_UNUSED)
+        # One that was stopped by a fault may have no stack left, one that has just begun has not looked.
+        if FIGURES and self._process.poll() is None and not self.page.word(page.STOPPED) and unused:
             note(model=self.table["model"], stack_size=size, stack_used=size - unused, slips=self.page.word(page.SLIPS))
         self.kill()
         self.page.close()

@@ -29,5 +29,5 @@ pub use figures::Figures;
 pub use hardware::{Hardware, Pins, Serial, Timer};
 pub use main_loop::{Loop, run};
 pub use pages::Pages;
-pub use player::Player;
+pub use player::{Player, Plays};
 pub use queues::{Plan, Queues};

@@ -47,6 +47,28 @@ pub struct Player<'q, const AXES: usize> {
 /// The bit of an event.
 const AN_EVENT: u32 = 1 << EVENT_BIT;
 
+/// A player whose interrupt was compiled for its board.
+///
+/// [`Player::play`] is compiled by whoever calls it. An image is compiled to be small; the interrupt, a few hundred
+/// instructions, has to be fast. So a board compiles it, with [`compile_players!`](crate::compile_players).
+pub trait Plays<T: Timer, P: Pins> {
+    /// The whole interrupt, as [`Player::play`].
+    fn interrupt(&mut self, timer: &mut T, pins: &mut P);
+}
+
+/// Compiles the player's interrupt for a timer and pins, for each of these numbers of axes.
+#[macro_export]
+macro_rules! compile_players {
+    ($timer:ty, $pins:ty: $($axes:literal)*) => {
+        $(impl $crate::Plays<$timer, $pins> for $crate::Player<'_, $axes> {
+            #[inline(never)]
+            fn interrupt(&mut self, timer: &mut $timer, pins: &mut $pins) {
+                self.play(timer, pins);
+            }
+        })*
+    };
+}
+
 impl<'q, const AXES: usize> Player<'q, AXES> {
     pub(crate) fn new(
         queues: [Consumer<'q, Segment>; AXES],

@@ -16,7 +16,7 @@ use core::cell::RefCell;
 use core::fmt::Write as _;
 use critical_section::Mutex;
 use devices::Controller;
-use runtime::{Loop, Pages, Plan, Player, Queues};
+use runtime::{Loop, Pages, Plan, Player, Plays, Queues};
 use static_cell::StaticCell;
 
 /// The memory for a controller's settings.
@@ -118,10 +118,13 @@ impl<C: Controller, const AXES: usize> Image<C, AXES> {
 
     /// Plays what is due. For the interrupt of the player's timer, before which no other goes.
     #[inline]
-    pub fn play(&'static self) {
+    pub fn play(&'static self)
+    where
+        Player<'static, AXES>: Plays<board::PlayerTimer, board::Pins>,
+    {
         critical_section::with(|section| {
             if let Some(interrupt) = &mut *self.interrupt.borrow_ref_mut(section) {
-                interrupt.player.play(&mut interrupt.timer, &mut interrupt.pins);
+                interrupt.player.interrupt(&mut interrupt.timer, &mut interrupt.pins);
             }
         });
     }

@@ -28,6 +28,8 @@ pub use vectors::Interrupt;
 use core::sync::atomic::{AtomicU32, Ordering};
 use devices::Pin;
 
+runtime::compile_players!(PlayerTimer, Pins: 1 2 4);
+
 /// Its name.
 pub const NAME: &str = "mps2-an386";
 

@@ -25,6 +25,8 @@ pub use timer::PlayerTimer;
 
 use devices::Pin;
 
+runtime::compile_players!(PlayerTimer, Pins: 1 2 4);
+
 /// Its name.
 pub const NAME: &str = "nucleo-g474re";
 
