@@ -2,7 +2,8 @@
 #![allow(dead_code, reason = "every test binary uses its own part")]
 
 use devices::{
-    AxisState, Board, Controller, Model, Pin, PinKind, Port, ProgramRun, ProgramState, Wiring, flash::Flash,
+    AxisState, Board, Controller, Model, Pin, PinKind, Port, ProgramRun, ProgramState, Wiring,
+    flash::{Flash, WORD_BYTES},
 };
 use rustix::fs::{Mode, OFlags};
 use serde_json::Value;
@@ -99,14 +100,14 @@ impl Controller for Parrot {
             match *byte {
                 byte if std::mem::take(&mut self.write) => {
                     self.flash.erase(0, 4096).unwrap();
-                    self.flash.write(0, &[byte; 4]).unwrap();
+                    self.flash.write(0, &[byte; WORD_BYTES as usize]).unwrap();
                 }
                 b'!' => self.due = Some((self.now + u64::from(CLOCK_HZ) / 50, port)),
                 b'.' => {}
                 b'p' => board.send(port, b"p", 200),
                 b'w' => self.write = true,
                 b'r' => {
-                    let mut word = [0; 4];
+                    let mut word = [0; WORD_BYTES as usize];
                     self.flash.read(0, &mut word).unwrap();
                     board.send(port, &word[..1], 0);
                 }
