@@ -1,8 +1,8 @@
 //! Tapes: everything that devices were told from outside, so that a run can be had again, pulse for pulse.
 //!
 //! What a device does is a function of its configuration, the seed of its random numbers, what was in its flash, and
-//! what it was told at which clock. A tape (`.ptr`) is exactly that, as lines of JSON: first a [`Head`], then an
-//! [`Entry`] for each act, in the order in which they happened. Each device has its own clock; devices do not know
+//! what it was told at which clock. A tape (`.ptr`) is exactly that, as lines of JSON: first a head, then an entry
+//! for each act, in the order in which they happened. Each device has its own clock; devices do not know
 //! each other, so only the order of the acts of one device matters.
 
 mod log;
