@@ -90,6 +90,8 @@ def test_a_program_is_stopped_continued_and_reset(stopped, tmp_path):
 
 def test_a_program_is_stepped(stopped, tmp_path):
     upload(stopped, assemble("forever", tmp_path))
-    for _ in range(2):
+    for counter in [1, 2]:
         stopped.send(TMCLCommand.STEP_APPLICATION, 0, 0, 0)
-    until(lambda: variable(stopped, 2) == 1, what="two steps")
+        # A step that has not begun is not asked for twice.
+        until(lambda: stopped.get_global_parameter(PROGRAM_COUNTER, 0) == counter, what=f"step {counter}")
+    assert variable(stopped, 2) == 1
