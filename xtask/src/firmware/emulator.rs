@@ -8,6 +8,9 @@ use crate::{
 use anyhow::Result;
 use std::{fs, path::PathBuf, process::Command};
 
+/// How often a test that fails is tried again.
+const RERUNS: &str = "2";
+
 /// Builds what tells the emulated boards which machine hangs on their pins.
 fn machines(workplace: &Workplace) -> Result<PathBuf> {
     // The profile of the tests, whose build it then shares.
@@ -33,7 +36,10 @@ pub fn test(workplace: &Workplace) -> Result<PathBuf> {
     rust::binary(workplace)?;
     let figures = workplace.target.join("firmware/figures.json");
     fs::write(&figures, "")?;
+    // QEMU's time goes on while the host does something else, and an image that was away is late.
+    let again = ["--reruns", RERUNS, "--reruns-delay", "1"];
     let mut command: Command = workplace.command(python, &["-m", "pytest", "clients"]);
+    command.args(again);
     command
         .env("PULSETRAIN", workplace.target.join("release/pulsetrain"))
         .env("PULSETRAIN_IMAGES", folder(workplace, EMULATED))
