@@ -90,7 +90,7 @@ pub struct VcdRecorder<W: Write> {
     /// train is over, so they come together from there and are put in order.
     pending: Vec<(u64, usize, Change)>,
     /// The time that was written last.
-    written: Option<u64>,
+    written: u64,
     failure: Option<io::Error>,
 }
 
@@ -105,7 +105,7 @@ impl<W: Write> VcdRecorder<W> {
             axes: Vec::new(),
             pins: Vec::new(),
             pending: Vec::new(),
-            written: None,
+            written: 0,
             failure: None,
         };
         recorder.failure = recorder.head().err();
@@ -145,7 +145,6 @@ impl<W: Write> VcdRecorder<W> {
         self.writer.upscope()?;
         self.writer.enddefinitions()?;
         self.writer.timestamp(0)?;
-        self.written = Some(0);
         self.writer.begin(SimulationCommand::Dumpvars)?;
         for variable in &self.variables {
             variable.shown.write(variable.id, &mut self.writer)?;
@@ -215,9 +214,9 @@ impl<W: Write> VcdRecorder<W> {
         if variable.shown == change {
             return Ok(());
         }
-        if self.written.is_none_or(|written| at > written) {
+        if at > self.written {
             self.writer.timestamp(at)?;
-            self.written = Some(at);
+            self.written = at;
         }
         variable.shown = change;
         change.write(variable.id, &mut self.writer)
@@ -274,11 +273,7 @@ impl<W: Write> Recorder for VcdRecorder<W> {
         let end = self.nanoseconds(at);
         // A last pulse ends after the recording.
         self.flush(end + PULSE_NS);
-        let end = if self.written.is_none_or(|written| end > written) {
-            self.writer.timestamp(end)
-        } else {
-            Ok(())
-        };
+        let end = if end > self.written { self.writer.timestamp(end) } else { Ok(()) };
         let flushed = end.and_then(|()| self.writer.flush());
         match self.failure.take().map_or(flushed, Err) {
             Ok(()) => Ok(()),
