@@ -3,9 +3,10 @@
 use crate::{Failure, Outcome, args::RunArgs, programs};
 use devices::ProgramRun;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use protocol::tmcl::Status;
 use sim::{
-    Bench, DeviceConfig, RunOptions, RunResult, SharedFlash, VirtualDevice, record,
+    Bench, DeviceConfig, RunOptions, RunResult, SharedFlash, VirtualDevice,
+    device::notice_text,
+    record,
     run::Progress,
     tape::{self, Tape},
 };
@@ -59,13 +60,7 @@ pub fn run(args: RunArgs) -> Outcome {
     tapes.iter().try_for_each(Tape::finish)?;
 
     while let Some(notice) = device.take_notice() {
-        let command = tmcl::isa::instruction(notice.opcode).and_then(|entry| entry.mnemonic).unwrap_or("?");
-        eprintln!(
-            "warning: {}: {command} at address {} was passed over: {}",
-            args.program.display(),
-            notice.counter,
-            Status(notice.status)
-        );
+        eprintln!("warning: {}: {}", args.program.display(), notice_text(&notice));
     }
     programs::show(&if args.json { serde_json::to_string(&result)? + "\n" } else { report(&result) })?;
     let error = device.programs().enumerate().find(|(_, program)| program.run == ProgramRun::Error);

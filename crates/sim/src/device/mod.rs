@@ -18,18 +18,22 @@ pub use world::{MAX_CONTACTS, MAX_SENT, Sent};
 use crate::{
     config::{DeviceConfig, MAX_PULSES},
     flash::SharedFlash,
-    record::{Mark, RecordError, RecordInfo, Recorder},
+    record::{Mark, Note, RecordError, RecordInfo, Recorder},
     tape::{self, Act, Track},
 };
 use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramState};
 use motion::Ticks;
-use protocol::hid::Name;
+use protocol::{hid::Name, tmcl::Status};
 use schedule::Schedule;
+use std::collections::VecDeque;
 use wheel::Wheel;
 use world::{Stirred, World};
 
 /// How often something may happen at one and the same clock before it is a fault of the controller.
 const MAX_STANDSTILL: u32 = 100_000;
+
+/// Most notices that wait to be taken while they are recorded; those after them are in the recording only.
+const MAX_NOTICES: usize = 16;
 
 /// Most programs of a device.
 const MAX_PROGRAMS: usize = 16;
@@ -73,6 +77,8 @@ pub struct VirtualDevice {
     /// Where each pin's shaft was then.
     places: Vec<i64>,
     movements: Vec<Movement>,
+    /// Those that recordings were told of.
+    notices: VecDeque<Notice>,
     tapes: Vec<Track>,
 }
 
@@ -106,6 +112,7 @@ impl VirtualDevice {
             told: Vec::new(),
             places: Vec::new(),
             movements: Vec::new(),
+            notices: VecDeque::new(),
             tapes: Vec::new(),
             controller,
         };
@@ -367,7 +374,7 @@ impl VirtualDevice {
     pub fn power_cycle(&mut self) {
         self.tell_tape(|| Act::PowerCycle);
         self.flash.finish();
-        self.restart();
+        self.restart("after a power cycle");
     }
 
     /// Cuts the supply and switches it on again. What flash had not finished is lost or torn.
@@ -375,7 +382,7 @@ impl VirtualDevice {
         self.tell_tape(|| Act::PowerCut);
         self.world.set_clock(self.world.clock);
         self.flash.cut_now();
-        self.restart();
+        self.restart("after a power cut");
     }
 
     /// The counters and status of an axis by its number.
@@ -393,7 +400,7 @@ impl VirtualDevice {
 
     /// The next command that a program passed over; only the first few are kept.
     pub fn take_notice(&mut self) -> Option<Notice> {
-        self.controller.take_notice()
+        self.notices.pop_front().or_else(|| self.controller.take_notice())
     }
 
     /// The states of all programs.
@@ -476,9 +483,10 @@ impl VirtualDevice {
         self.settle();
     }
 
-    fn restart(&mut self) {
+    fn restart(&mut self, why: &str) {
         self.flash.restore_power();
         self.world.power_up();
+        self.world.record_note(Note::PowerUp, why);
         self.controller = (self.config.model.build)(Box::new(self.flash.clone()), self.seed);
         self.start();
     }
@@ -526,6 +534,12 @@ impl VirtualDevice {
     }
 
     fn record(&mut self) {
+        while let Some(notice) = self.controller.take_notice() {
+            self.world.record_note(Note::Notice, &notice_text(&notice));
+            if self.notices.len() < MAX_NOTICES {
+                self.notices.push_back(notice);
+            }
+        }
         let states = self.axis_states();
         for (axis, state) in states.iter().enumerate() {
             let before = std::mem::replace(&mut self.movements[axis], Movement::of(state));
@@ -535,6 +549,12 @@ impl VirtualDevice {
         }
         self.world.sample(&states);
     }
+}
+
+/// A command that a program passed over, in words.
+pub fn notice_text(notice: &Notice) -> String {
+    let command = tmcl::isa::instruction(notice.opcode).and_then(|entry| entry.mnemonic).unwrap_or("?");
+    format!("{command} at address {} was passed over: {}", notice.counter, Status(notice.status))
 }
 
 /// How an axis was moving when it was last looked at.

@@ -4,7 +4,7 @@ use crate::{
     SharedFlash,
     config::DeviceConfig,
     machine::{Edge, Machine},
-    record::{Mark, RecordError, Recorder},
+    record::{Mark, Note, RecordError, Recorder},
 };
 use devices::{AxisState, Board, Controller, Drive, Pin, PinKind, Port};
 use motion::{Moment, Ticks, Train};
@@ -344,6 +344,11 @@ impl World {
     pub fn record_mark(&mut self, axis: usize, mark: Mark) {
         let now = self.now();
         self.each(|recorder| recorder.mark(now, axis, mark));
+    }
+
+    pub fn record_note(&mut self, note: Note, text: &str) {
+        let now = self.now();
+        self.each(|recorder| recorder.note(now, note, text));
     }
 
     pub fn record_received(&mut self, port: Port, bytes: &[u8]) {

@@ -57,6 +57,34 @@ impl Mark {
     }
 }
 
+/// Something that happened to the device, or around it, that is no axis' and no pin's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Note {
+    /// A fault begins.
+    Fault,
+    /// A fault is over. The text is that of its beginning.
+    Cleared,
+    /// A program had a command that was passed over.
+    Notice,
+    /// The power is on again.
+    PowerUp,
+}
+
+impl Note {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Fault, Self::Cleared, Self::Notice, Self::PowerUp];
+
+    /// Its name in files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fault => "fault",
+            Self::Cleared => "cleared",
+            Self::Notice => "notice",
+            Self::PowerUp => "power_up",
+        }
+    }
+}
+
 /// Why a recording cannot be made; one line of text.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordError {
@@ -95,6 +123,9 @@ pub trait Recorder {
 
     /// An axis started or stopped.
     fn mark(&mut self, at: Ticks, axis: usize, mark: Mark);
+
+    /// Something happened around the axes; `text` is a short line that says what.
+    fn note(&mut self, _at: Ticks, _note: Note, _text: &str) {}
 
     /// What an axis looks like now.
     fn sample(&mut self, at: Ticks, axis: usize, state: &AxisState);
