@@ -1,4 +1,5 @@
-//! Documents that a program writes. One list: the command, and the file that holds what it prints.
+//! Documents that a program writes. One list: the command, and the file that holds what it prints. What pages show
+//! of the program itself is looked after by a test of `cli`, which is told here to rewrite it.
 
 use crate::workplace::{Workplace, read};
 use anyhow::{Context, Result, bail};
@@ -36,6 +37,10 @@ macro_rules! conformance {
 
 const DOCUMENTS: &[Document] = &[conformance!("pd42-1140"), conformance!("pmx-2ed"), conformance!("cmd-4cr")];
 
+/// The test of the pages, which writes them anew where [`OVERWRITE`] is in its environment.
+const PAGES: &[&str] = &["test", "--quiet", "--locked", "-p", "cli", "--test", "docs", "the_pages_are_true"];
+const OVERWRITE: (&str, &str) = ("SNAPSHOTS", "overwrite");
+
 /// Writes every document.
 pub fn write(workplace: &Workplace) -> Result<()> {
     for document in DOCUMENTS {
@@ -45,6 +50,8 @@ pub fn write(workplace: &Workplace) -> Result<()> {
         fs::write(&path, text).with_context(|| document.file)?;
         println!("wrote {}", document.file);
     }
+    read(workplace.command("cargo", PAGES).env(OVERWRITE.0, OVERWRITE.1))?;
+    println!("wrote what the pages show");
     Ok(())
 }
 
