@@ -1,5 +1,6 @@
 //! The bench file: TOML to [`Bench`], every mistake as one line with file, line and key.
 
+use super::source::{self, BenchError, Source};
 use super::{
     AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint, MAX_DEVICES,
     MAX_IN_POSITION_MS, MAX_MPG_HZ, MAX_PULSES,
@@ -8,45 +9,6 @@ use crate::flash::SharedFlash;
 use devices::{Controller, Model, Wiring};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::Path};
-use toml::{
-    Spanned,
-    de::{DeTable, DeValue},
-};
-
-/// Why a bench file cannot be used; one line of text.
-#[derive(Debug, thiserror::Error)]
-pub enum BenchError {
-    /// The file cannot be read.
-    #[error("{file}: {problem}")]
-    Read {
-        /// Name of the file.
-        file: String,
-        /// What the system says.
-        problem: std::io::Error,
-    },
-    /// It is not TOML.
-    #[error("{file}:{line}: {problem}")]
-    Syntax {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// What is wrong.
-        problem: String,
-    },
-    /// An entry is unknown, missing or impossible.
-    #[error("{file}:{line}: {key}: {problem}")]
-    Entry {
-        /// Name of the file.
-        file: String,
-        /// Line, from 1.
-        line: usize,
-        /// The key with all tables that it is in, as `device.axis.X.home`.
-        key: String,
-        /// What is wrong.
-        problem: String,
-    },
-}
 
 #[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
@@ -150,19 +112,14 @@ pub fn text(devices: &[DeviceConfig]) -> String {
 }
 
 pub(super) fn read(path: &Path) -> Result<Bench, BenchError> {
-    let file = path.display().to_string();
-    match std::fs::read_to_string(path) {
-        Ok(text) => parse(&text, &file, devices::MODELS),
-        Err(problem) => Err(BenchError::Read { file, problem }),
-    }
+    let (text, file) = source::read(path)?;
+    parse(&text, &file, devices::MODELS)
 }
 
 pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<Bench, BenchError> {
     let source = Source { text, file };
-    let document = DeTable::parse(text).map_err(|error| source.syntax(&error))?;
-    let bench: BenchFile =
-        toml::from_str(text).map_err(|error| source.mistyped(document.get_ref(), &error))?;
-    let at = |path: &[&str], problem: String| source.entry(document.get_ref(), path, problem);
+    let (document, bench) = source.parse::<BenchFile>()?;
+    let at = |path: &[&str], problem: String| source.entry(&document, path, problem);
 
     if bench.device.len() > MAX_DEVICES {
         return Err(at(&["device"], format!("{MAX_DEVICES} devices at most")));
@@ -371,85 +328,4 @@ pub fn is_name(name: &str) -> bool {
     !name.starts_with('.')
         && (1..=64).contains(&name.len())
         && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte))
-}
-
-struct Source<'a> {
-    text: &'a str,
-    file: &'a str,
-}
-
-impl Source<'_> {
-    fn line(&self, offset: usize) -> usize {
-        self.text.bytes().take(offset).filter(|byte| *byte == b'\n').count() + 1
-    }
-
-    fn syntax(&self, error: &toml::de::Error) -> BenchError {
-        let line = self.line(error.span().map_or(0, |span| span.start));
-        BenchError::Syntax { file: self.file.into(), line, problem: one_line(error.message()) }
-    }
-
-    /// What serde found wrong, with the key that its span lies in.
-    fn mistyped(&self, document: &DeTable<'_>, error: &toml::de::Error) -> BenchError {
-        let offset = error.span().map_or(0, |span| span.start);
-        let mut keys = Vec::new();
-        let key = if find(document, offset, &mut keys) { keys.join(".") } else { "bench file".into() };
-        let line = self.line(offset);
-        BenchError::Entry { file: self.file.into(), line, key, problem: one_line(error.message()) }
-    }
-
-    /// An entry by its path, in which an element of an array is its number. Where the entry is not in
-    /// the file the innermost table that is there is meant.
-    fn entry(&self, document: &DeTable<'_>, path: &[&str], problem: String) -> BenchError {
-        let mut offset = 0;
-        let mut table = Some(document);
-        let mut array = None;
-        for key in path {
-            let (place, value) = match (table, array) {
-                (Some(table), _) => match table.get_key_value(*key) {
-                    Some((key, value)) => (key.span().start, value),
-                    None => break,
-                },
-                (None, Some(elements)) => {
-                    let elements: &toml::de::DeArray<'_> = elements;
-                    let value = key.parse().ok().and_then(|index: usize| elements.get(index));
-                    let Some(value) = value else { break };
-                    (value.span().start, value)
-                }
-                _ => break,
-            };
-            offset = place;
-            table = value.get_ref().as_table();
-            array = value.get_ref().as_array();
-        }
-        // The line says which device it is.
-        let keys: Vec<_> =
-            path.iter().enumerate().filter(|(place, _)| *place != 1).map(|(_, key)| *key).collect();
-        BenchError::Entry { file: self.file.into(), line: self.line(offset), key: keys.join("."), problem }
-    }
-}
-
-/// Finds the innermost key that `offset` lies in.
-fn find(table: &DeTable<'_>, offset: usize, keys: &mut Vec<String>) -> bool {
-    table.iter().any(|(key, value)| {
-        keys.push(key.get_ref().to_string());
-        let inside = key.span().contains(&offset) || find_in(value, offset, keys);
-        if !inside {
-            keys.pop();
-        }
-        inside
-    })
-}
-
-fn find_in(value: &Spanned<DeValue<'_>>, offset: usize, keys: &mut Vec<String>) -> bool {
-    // The span of a table ends with its heading, its entries may come later.
-    let nested = match value.get_ref() {
-        DeValue::Table(table) => find(table, offset, keys),
-        DeValue::Array(values) => values.iter().any(|value| find_in(value, offset, keys)),
-        _ => false,
-    };
-    nested || value.span().contains(&offset)
-}
-
-fn one_line(message: &str) -> String {
-    message.split_whitespace().collect::<Vec<_>>().join(" ")
 }

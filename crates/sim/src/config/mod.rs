@@ -2,11 +2,13 @@
 
 mod endpoint;
 mod file;
+pub(crate) mod source;
 #[cfg(test)]
 mod tests;
 
 pub use endpoint::{Endpoint, EndpointError, PlaceError};
-pub use file::{BenchError, is_name, text as bench_text};
+pub use file::{is_name, text as bench_text};
+pub use source::BenchError;
 
 use crate::machine::fitting::fitting;
 use devices::Model;

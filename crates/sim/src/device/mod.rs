@@ -99,7 +99,7 @@ impl VirtualDevice {
         flash.restore_power();
         let controller = (config.model.build)(Box::new(flash.clone()), seed);
         let (axes, pins, clock_hz) = (controller.axes(), controller.pins(), controller.clock_hz());
-        let world = World::new(config, axes, pins, flash.clone(), clock_hz);
+        let world = World::new(config, axes, pins, flash.clone(), clock_hz, seed);
         let wheels = axes.iter().map(|axis| Wheel::new(config.axis(axis).mpg_hz, clock_hz)).collect();
         let mut device = Self {
             config: config.clone(),
@@ -175,7 +175,7 @@ impl VirtualDevice {
 
     /// The device time at which something outside happens by itself.
     fn outside(&self) -> Ticks {
-        self.schedule.next().min(self.next_turn()).min(self.world.machine.in_position_at())
+        self.schedule.next().min(self.next_turn()).min(self.world.machine.due())
     }
 
     /// Lets time pass until the end of clock `until`. An earlier time than now is now.
@@ -514,7 +514,7 @@ impl VirtualDevice {
         // Less than was asked for where a shaft has come to the edge of its window.
         let clock = self.controller.advance(now - self.world.origin, &mut self.world);
         self.world.set_clock(clock);
-        self.world.settle_servos();
+        self.world.settle_contacts();
         self.settle();
         self.turn_wheels();
         while let Some(due) = self.schedule.take(self.now()) {

@@ -14,6 +14,7 @@ impl VirtualDevice {
     pub(super) fn settle(&mut self) {
         let mut rounds = 0;
         loop {
+            self.world.machine.update_contacts(self.world.now());
             match std::mem::take(&mut self.world.stirred) {
                 Stirred::None => {}
                 Stirred::Contacts => {

@@ -639,3 +639,28 @@ fn a_second_is_a_second() {
     device.advance(device.ticks(1.5));
     assert_eq!((device.now(), device.seconds()), (u64::from(CLOCK_HZ) * 3 / 2, 1.5));
 }
+
+#[test]
+fn a_switch_bounces_the_same_however_time_is_cut() {
+    let reports = |slices: &[Ticks]| {
+        let mut device = device(small());
+        device.world.machine.set_bounce(HOME, 2, 0);
+        device.settle();
+        order(&mut device, Order::Move(-150));
+        let mut reports = Vec::new();
+        for &until in slices.iter().chain(&[30_000]) {
+            device.advance(until);
+            reports.extend(device.drain_sent().map(|sent| (sent.at, report(&sent.bytes))));
+        }
+        reports.retain(|(_, (pin, ..))| *pin == HOME);
+        reports
+    };
+    let whole = reports(&[]);
+    // From -100 on, at the clock of its pulse, and for 2 ms; then it stays on.
+    assert_eq!(whole[0], (10_000, (HOME, true, -100)));
+    assert!(whole.len() >= 3 && whole.len() % 2 == 1, "{whole:?}");
+    assert!(whole.iter().all(|(at, _)| (10_000..=12_000).contains(at)), "{whole:?}");
+    assert!(whole.iter().enumerate().all(|(number, (_, (_, on, _)))| *on == (number % 2 == 0)), "{whole:?}");
+    let fine: Vec<_> = (0..3000).map(|slice| slice * 7).collect();
+    assert_eq!(reports(&fine), whole);
+}

@@ -103,8 +103,9 @@ impl World {
         pins: &'static [Pin],
         flash: SharedFlash,
         clock_hz: u32,
+        seed: u64,
     ) -> Self {
-        let machine = Machine::new(config, axes, pins, clock_hz);
+        let machine = Machine::new(config, axes, pins, clock_hz, seed);
         let contacts: Vec<_> = (0..pins.len()).filter(|pin| machine.hangs_on_axis(*pin)).collect();
         assert!(contacts.len() <= MAX_CONTACTS, "watched contacts are bits of a word");
         let follower = |(axis, name): (usize, &&str)| {
@@ -191,7 +192,7 @@ impl World {
     /// index marks are too many to record them all.
     pub fn watches(&self, pin: usize, controller: &dyn Controller) -> bool {
         let recorded = self.is_recording() && matches!(self.pins[pin].kind, PinKind::Input | PinKind::Port);
-        !self.is_free(pin) || recorded || controller.watches(pin)
+        !self.is_free(pin) || recorded || self.machine.remembers(pin) || controller.watches(pin)
     }
 
     /// Whether the window of an axis has to be reckoned again: what it was reckoned from is another now,
@@ -268,10 +269,13 @@ impl World {
         !is_between(self.machine.encoder(channel), window)
     }
 
-    /// Servo drivers whose time has come are in position.
-    pub fn settle_servos(&mut self) {
+    /// Servo drivers whose time has come are in position, and contacts that bounce change.
+    pub fn settle_contacts(&mut self) {
         while let Some(axis) = self.machine.take_in_position(self.now()) {
             self.windows[axis] = None;
+            self.stir(Stirred::Contacts);
+        }
+        while self.machine.take_bounce(self.now()) {
             self.stir(Stirred::Contacts);
         }
     }

@@ -20,6 +20,10 @@ pub(crate) struct Counter {
     numerator: i64,
     denominator: i128,
     mark: Zone,
+    /// What it has not counted while it was broken.
+    missed: i64,
+    /// Where it stands if it is.
+    broken_at: Option<i64>,
 }
 
 impl Counter {
@@ -35,6 +39,8 @@ impl Counter {
                     denominator: i128::from(count) << FRACTION_BITS,
                     // Where a counter that started at the mark would show a multiple of the turn.
                     mark: Zone::repeated(-(count / 2), count - count / 2 - 1, TURN),
+                    missed: 0,
+                    broken_at: None,
                 }
             }
             Encoder::External => Self {
@@ -42,6 +48,8 @@ impl Counter {
                 numerator: ratio,
                 denominator: 1 << FRACTION_BITS,
                 mark: Zone::marks(axis.index_every),
+                missed: 0,
+                broken_at: None,
             },
         }
     }
@@ -49,6 +57,18 @@ impl Counter {
     /// Counts from where the shaft first stood. They are absolute, as those of a built-in encoder within
     /// a revolution are: who wants to count from power-up takes the first reading for 0.
     pub fn count(&self, shaft: &Shaft) -> i64 {
+        self.broken_at.unwrap_or_else(|| self.turned(shaft) - self.missed)
+    }
+
+    /// Stops counting, or goes on from where it stands.
+    pub fn set_broken(&mut self, broken: bool, shaft: &Shaft) {
+        let count = self.count(shaft);
+        self.missed = self.turned(shaft) - count;
+        self.broken_at = broken.then_some(count);
+    }
+
+    /// What it would have counted had it never been broken.
+    fn turned(&self, shaft: &Shaft) -> i64 {
         let scaled = i128::from(shaft.position(self.side)) * i128::from(self.numerator);
         (scaled + self.denominator / 2).div_euclid(self.denominator) as i64
     }
@@ -66,7 +86,10 @@ impl Counter {
     /// The positions at which it has counted so far down or up from where it stands; they turn around where
     /// it counts backwards.
     pub fn edge(&self, shaft: &Shaft, down: u32, up: u32) -> Edge {
-        let now = self.count(shaft);
+        if self.broken_at.is_some() {
+            return Edge { side: self.side, below: -NEVER, above: NEVER };
+        }
+        let now = self.turned(shaft);
         // The first position with at least this count, along the direction in which it counts up.
         let step = i128::from(self.numerator.abs());
         let first = |count: i64| {
@@ -137,6 +160,21 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_broken_one_goes_on_from_where_it_stands() {
+        let mut counter = Counter::new(Encoder::External, &AxisConfig::of_model(""));
+        let mut shaft = Shaft::new(0, None);
+        shaft.turn(100);
+        for (broken, turn, count) in [(true, 30, 100), (true, 5, 100), (false, 7, 107), (false, -10, 97)] {
+            counter.set_broken(broken, &shaft);
+            shaft.turn(turn);
+            assert_eq!(counter.count(&shaft), count);
+        }
+        assert_eq!(counter.edge(&shaft, 1, 1), Edge { side: Side::Load, below: 131, above: 133 });
+        counter.set_broken(true, &shaft);
+        assert_eq!(counter.edge(&shaft, 1, 1), Edge { side: Side::Load, below: -NEVER, above: NEVER });
     }
 
     #[test]

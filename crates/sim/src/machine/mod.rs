@@ -3,6 +3,8 @@
 //! Trains turn shafts; everything else follows from where the shafts are. The machine says how far each
 //! axis can go before an input changes, and the controller stops at exactly that pulse.
 
+mod bounce;
+mod contact;
 mod encoder;
 pub(crate) mod fitting;
 mod servo;
@@ -11,10 +13,15 @@ mod table;
 mod zone;
 
 use crate::config::DeviceConfig;
+use bounce::Bounce;
+#[allow(unused_imports)] // for faults
+pub(crate) use bounce::MAX_BOUNCE_MS;
+use contact::{Contact, Mover};
 use devices::{Drive, Pin, PinKind, Wiring};
 use encoder::Counter;
 use fitting::fitting;
 use motion::{Ticks, Train};
+use rand_pcg::Pcg32;
 use servo::Servo;
 pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
@@ -31,21 +38,18 @@ pub(crate) struct Machine {
     servos: Vec<Option<Servo>>,
     /// What the pins hang on, in their order.
     contacts: Vec<Option<Contact>>,
+    /// Those of them that have to be told of every change.
+    remembering: Vec<usize>,
     /// Analog quantities by pin.
     quantities: Vec<i32>,
-}
-
-/// What an axis does to a pin.
-#[derive(Clone, Copy, Debug)]
-enum Contact {
-    /// A switch or mark: on in a zone of the shaft.
-    Shaft { axis: usize, side: Side, zone: Zone },
-    /// The servo driver has followed all pulses.
-    InPosition { axis: usize },
+    pins: &'static [Pin],
+    clock_hz: u32,
+    seed: u64,
 }
 
 impl Machine {
-    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &[Pin], clock_hz: u32) -> Self {
+    /// `seed` is where its random numbers start from.
+    pub fn new(config: &DeviceConfig, axes: &[&str], pins: &'static [Pin], clock_hz: u32, seed: u64) -> Self {
         let configs: Vec<_> = axes.iter().map(|axis| config.axis(axis)).collect();
         let fitting = fitting(config.model.name);
         let shafts = configs.iter().map(|axis| {
@@ -65,7 +69,8 @@ impl Machine {
         let contacts = pins
             .iter()
             .map(|pin| {
-                let on_load = |axis: usize, zone| Some(Contact::Shaft { axis, side: Side::Load, zone });
+                let shaft = |axis, side, zone| Some(Contact::new(Mover::Shaft { axis, side, zone }));
+                let on_load = |axis: usize, zone| shaft(axis, Side::Load, zone);
                 match (pin.wiring, pin.kind) {
                     (Wiring::NegativeLimit(axis), _) => {
                         on_load(axis, Zone::up_to(configs[axis].negative_limit))
@@ -79,12 +84,12 @@ impl Machine {
                         zones[0].and_then(|first| on_load(axis, Zone::between_two(first, zones[1])))
                     }
                     (Wiring::InPosition(axis), _) => {
-                        servos[axis].as_ref().map(|_| Contact::InPosition { axis })
+                        servos[axis].as_ref().map(|_| Contact::new(Mover::InPosition { axis }))
                     }
                     (Wiring::Index(_), PinKind::Index(channel)) => {
                         let (axis, counter) = &encoders[channel];
                         let (side, zone) = counter.mark();
-                        Some(Contact::Shaft { axis: *axis, side, zone })
+                        shaft(*axis, side, zone)
                     }
                     (Wiring::Index(axis), _) => on_load(axis, Zone::marks(configs[axis].index_every)),
                     _ => None,
@@ -99,7 +104,17 @@ impl Machine {
                 _ => pin.rest,
             })
             .collect();
-        Self { axes: shafts.collect(), encoders, servos, contacts, quantities }
+        Self {
+            axes: shafts.collect(),
+            encoders,
+            servos,
+            contacts,
+            remembering: Vec::new(),
+            quantities,
+            pins,
+            clock_hz,
+            seed,
+        }
     }
 
     /// Odometers start from 0, and driver stages as if nobody had told them anything.
@@ -117,14 +132,70 @@ impl Machine {
         }
     }
 
-    /// When the next servo driver is in position; [`Ticks::MAX`] if all are.
-    pub fn in_position_at(&self) -> Ticks {
-        self.servos.iter().flatten().filter_map(Servo::due).min().unwrap_or(Ticks::MAX)
+    /// When something next happens by itself; [`Ticks::MAX`] if nothing will.
+    pub fn due(&self) -> Ticks {
+        let in_position = self.servos.iter().flatten().filter_map(Servo::due);
+        let bounces = self.remembering.iter().filter_map(|&pin| Some(self.contacts[pin].as_ref()?.due()));
+        in_position.chain(bounces).min().unwrap_or(Ticks::MAX)
     }
 
     /// The next axis whose servo driver has come into position by `now`.
     pub fn take_in_position(&mut self, now: Ticks) -> Option<usize> {
         self.servos.iter_mut().position(|servo| servo.as_mut().is_some_and(|servo| servo.settle(now)))
+    }
+
+    /// Whether a contact has opened or closed by `now` without its axis, since this was asked last.
+    pub fn take_bounce(&mut self, now: Ticks) -> bool {
+        let Self { remembering, contacts, .. } = self;
+        let mut settles = |pin: usize| contacts[pin].as_mut().is_some_and(|contact| contact.settle(now));
+        remembering.iter().any(|&pin| settles(pin))
+    }
+
+    /// Lets contacts take notice of where the shafts are now.
+    pub fn update_contacts(&mut self, now: Ticks) {
+        for place in 0..self.remembering.len() {
+            let pin = self.remembering[place];
+            let on = self.is_moved(pin, now);
+            if let (Some(contact), Some(on)) = (&mut self.contacts[pin], on) {
+                contact.update(on, now);
+            }
+        }
+    }
+
+    /// Whether what is on a pin depends on when it changed, so that every change counts.
+    pub fn remembers(&self, pin: usize) -> bool {
+        self.contacts[pin].as_ref().is_some_and(Contact::remembers)
+    }
+
+    /// Lets the switch at a pin bounce for so long after each change, from the next one on; 0 ends that.
+    /// Where there is no switch nothing bounces.
+    #[allow(dead_code)] // for faults
+    pub fn set_bounce(&mut self, pin: usize, ms: u32, now: Ticks) {
+        let span = Ticks::from(self.clock_hz) * Ticks::from(ms.min(MAX_BOUNCE_MS)) / 1000;
+        let bounce = (ms > 0).then(|| Bounce::new(span, Pcg32::new(self.seed, pin as u64)));
+        if let (Some(on), Some(contact)) = (self.is_moved(pin, now), &mut self.contacts[pin]) {
+            contact.set_bounce(bounce, on);
+        }
+        let remembers = |pin: &usize| self.contacts[*pin].as_ref().is_some_and(Contact::remembers);
+        self.remembering = (0..self.contacts.len()).filter(remembers).collect();
+    }
+
+    /// The counter of an encoder no longer sees its shaft turn, or does again from where it stands.
+    #[allow(dead_code)] // for faults
+    pub fn set_encoder_broken(&mut self, channel: usize, broken: bool) {
+        let (axis, counter) = &mut self.encoders[channel];
+        counter.set_broken(broken, &self.axes[*axis]);
+    }
+
+    /// The motor supply has so many volts. The pins that measure it have changed: those whose `quantity` is
+    /// another now.
+    #[allow(dead_code)] // for faults
+    pub fn set_supply(&mut self, volts: f64) {
+        for (pin, quantity) in self.pins.iter().zip(&mut self.quantities) {
+            if pin.wiring == Wiring::Supply {
+                *quantity = in_board_units(volts, pin);
+            }
+        }
     }
 
     /// The driver stage of an axis.
@@ -202,50 +273,56 @@ impl Machine {
         self.contacts[pin].is_some()
     }
 
-    /// Whether the switch, mark or signal at a pin is on; `None` if there is none.
+    /// Whether the switch, mark or signal at a pin is seen on; `None` if there is none.
     pub fn is_on(&self, pin: usize, now: Ticks) -> Option<bool> {
-        self.contacts[pin].map(|contact| match contact {
-            Contact::Shaft { axis, side, zone } => zone.is_on(self.axes[axis].position(side)),
-            Contact::InPosition { axis } => self.is_in_position(axis, now),
-        })
+        Some(self.contacts[pin].as_ref()?.shown(self.is_moved(pin, now)?))
     }
 
     /// Where the shaft at a pin is, for [`is_jumped`](Self::is_jumped); 0 where there is none.
     pub fn place_of(&self, pin: usize) -> i64 {
-        match self.contacts[pin] {
-            Some(Contact::Shaft { axis, side, .. }) => self.axes[axis].position(side),
-            _ => 0,
-        }
+        self.zone(pin).map_or(0, |(axis, side, _)| self.axes[axis].position(side))
     }
 
     /// Whether on its way from `from` the shaft at a pin passed the zone without standing in it.
     pub fn is_jumped(&self, pin: usize, from: i64) -> bool {
-        match self.contacts[pin] {
-            Some(Contact::Shaft { axis, side, zone }) => zone.is_jumped(from, self.axes[axis].position(side)),
-            _ => false,
-        }
+        let jumped = |(axis, side, zone): (usize, Side, Zone)| {
+            let shaft: &Shaft = &self.axes[axis];
+            zone.is_jumped(from, shaft.position(side))
+        };
+        self.zone(pin).is_some_and(jumped)
     }
 
     /// Where the switch or mark at a pin changes next, below and above, if this axis moves it.
     pub fn edge(&self, pin: usize, axis: usize) -> Option<Edge> {
-        match self.contacts[pin] {
-            Some(Contact::Shaft { axis: mover, side, zone }) if mover == axis => {
-                let place = self.axes[axis].position(side);
-                Some(Edge { side, below: zone.below(place), above: zone.above(place) })
-            }
-            _ => None,
-        }
+        let (_, side, zone) = self.zone(pin).filter(|(mover, ..)| *mover == axis)?;
+        let place = self.axes[axis].position(side);
+        Some(Edge { side, below: zone.below(place), above: zone.above(place) })
     }
 
     /// Whether the next pulse of an axis, whatever its direction, changes a pin.
     pub fn ends_with_pulse(&self, pin: usize, axis: usize, now: Ticks) -> bool {
-        matches!(self.contacts[pin], Some(Contact::InPosition { axis: mover })
-            if mover == axis && self.is_in_position(axis, now))
+        self.contacts[pin].as_ref().is_some_and(|contact| {
+            matches!(contact.mover, Mover::InPosition { axis: mover }
+                if mover == axis && self.is_in_position(axis, now))
+        })
     }
 
     /// The odometer window of an axis in which it arrives at none of these edges.
     pub fn window(&self, axis: usize, edges: &[Edge]) -> (i64, i64) {
         self.axes[axis].window(edges)
+    }
+
+    /// Where along its axis the switch or mark at a pin is on.
+    fn zone(&self, pin: usize) -> Option<(usize, Side, Zone)> {
+        self.contacts[pin].as_ref()?.zone()
+    }
+
+    /// Whether what moves the contact at a pin holds it on; `None` if there is none.
+    fn is_moved(&self, pin: usize, now: Ticks) -> Option<bool> {
+        Some(match self.contacts[pin].as_ref()?.mover {
+            Mover::Shaft { axis, side, zone } => zone.is_on(self.axes[axis].position(side)),
+            Mover::InPosition { axis } => self.is_in_position(axis, now),
+        })
     }
 
     fn is_in_position(&self, axis: usize, now: Ticks) -> bool {

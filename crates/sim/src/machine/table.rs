@@ -1,6 +1,6 @@
 //! A machine as a table: for whoever has to be the machine of a controller that runs elsewhere.
 
-use super::{Contact, Machine, shaft::Side};
+use super::Machine;
 use crate::{SharedFlash, config::DeviceConfig};
 use devices::Controller;
 use serde::Serialize;
@@ -71,20 +71,18 @@ impl MachineTable {
         let flash = SharedFlash::erased(config.model.flash_bytes);
         let controller: Box<dyn Controller> = (config.model.build)(Box::new(flash), 0);
         let (axes, pins, clock_hz) = (controller.axes(), controller.pins(), controller.clock_hz());
-        let machine = Machine::new(config, axes, pins, clock_hz);
-        let zone = |contact: &Option<Contact>| match contact {
-            Some(Contact::Shaft { axis, side: Side::Motor | Side::Load, zone }) => {
-                let (first, last, every) = zone.interval();
-                Some(ZoneRow { axis: *axis, first, last, every })
-            }
-            Some(Contact::InPosition { .. }) | None => None,
+        let machine = Machine::new(config, axes, pins, clock_hz, 0);
+        let zone = |pin: usize| {
+            let (axis, _, zone) = machine.zone(pin)?;
+            let (first, last, every) = zone.interval();
+            Some(ZoneRow { axis, first, last, every })
         };
         let row = |(number, pin): (usize, &devices::Pin)| PinRow {
             name: pin.name,
             analog: pin.kind.is_analog(),
             scale: pin.scale,
             rest: if pin.kind.is_analog() { machine.quantity(number) } else { pin.rest },
-            zone: zone(&machine.contacts[number]),
+            zone: zone(number),
         };
         let encoder = |(axis, counter): &(usize, super::Counter)| {
             let (numerator, denominator) = counter.ratio();
