@@ -69,6 +69,9 @@ pub struct ServeArgs {
     /// Directory for flash images; without it they live in memory
     #[arg(long, value_name = "DIR")]
     pub state: Option<PathBuf>,
+    /// Faults of the machines, and when they begin
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
     /// Write what happens to a file (.csv, .mcap, .svg or .vcd, one for each device; .ptr, a tape of all)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
@@ -91,6 +94,9 @@ pub struct RunArgs {
     /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
     #[arg(long, value_name = "TIME:PIN=VALUE")]
     pub at: Vec<TimedInput>,
+    /// Faults of the machine, and when they begin
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
     /// Write what happened to a file (.csv, .mcap or .vcd), or all that the device was told (.ptr)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,

@@ -1,11 +1,16 @@
 //! `pulsetrain run`
 
-use crate::{Failure, Outcome, args::RunArgs, programs};
+use crate::{
+    Failure, Outcome,
+    args::RunArgs,
+    programs::{self, Loaded},
+};
 use devices::ProgramRun;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sim::{
-    Bench, DeviceConfig, RunOptions, RunResult, SharedFlash, VirtualDevice,
+    Bench, DeviceConfig, RunOptions, RunResult, Scenario, SharedFlash, VirtualDevice,
     device::notice_text,
+    fault::Planned,
     record,
     run::Progress,
     tape::{self, Tape},
@@ -31,6 +36,7 @@ const SEED: u64 = 0;
 pub fn run(args: RunArgs) -> Outcome {
     let loaded = programs::load(&args.program, args.device)?;
     let config = config(&args)?;
+    let faults = faults(&args, &loaded, &config)?;
     let flash = SharedFlash::erased(config.model.flash_bytes);
     let head = [(&config, config.seed.unwrap_or(SEED), &flash)];
     let (tapes, files): (Vec<_>, Vec<_>) = args.record.iter().partition(|path| tape::is_tape(path));
@@ -50,7 +56,7 @@ pub fn run(args: RunArgs) -> Outcome {
         device.add_recorder(record::create(file, &device.record_info())?);
     }
 
-    let options = RunOptions { for_seconds: Some(args.limit_s), inputs: args.at };
+    let options = RunOptions { for_seconds: Some(args.limit_s), inputs: args.at, faults };
     let mut bar = Bar::new();
     let result = sim::run(&mut device, &loaded.program, &options, |progress| bar.show(progress));
     drop(bar);
@@ -80,6 +86,14 @@ fn config(args: &RunArgs) -> Result<DeviceConfig, Failure> {
     let bench = Bench::read(file)?;
     let found = bench.devices.into_iter().find(|device| device.model.name == args.device.name);
     found.ok_or_else(|| Failure::Line(format!("{}: there is no {}", file.display(), args.device.name)))
+}
+
+/// The faults of the scenario, which may name lines and labels of the program.
+fn faults(args: &RunArgs, loaded: &Loaded, config: &DeviceConfig) -> Result<Vec<Planned>, Failure> {
+    let Some(file) = &args.scenario else { return Ok(Vec::new()) };
+    let scenario =
+        Scenario::read(file, std::slice::from_ref(config), &|place| loaded.find(&args.program, place))?;
+    Ok(scenario.of(0).cloned().collect())
 }
 
 fn report(result: &RunResult) -> String {

@@ -5,7 +5,7 @@ use crate::{
     args::{DeviceArg, ServeArgs},
 };
 use server::{Server, Settings, Token};
-use sim::{Bench, DeviceConfig, Endpoint};
+use sim::{Bench, DeviceConfig, Endpoint, Scenario, fault::scenario::no_source};
 use std::{env, io::Write};
 
 /// Where models listen when nobody said what to serve.
@@ -27,8 +27,10 @@ pub fn serve(args: ServeArgs) -> Outcome {
     if devices.is_empty() {
         devices = one_of_each();
     }
-    let server =
-        Server::start(Settings { devices, http, speed: args.speed, state: args.state, record: args.record })?;
+    let scenario = args.scenario.map(|file| Scenario::read(&file, &devices, &no_source));
+    let scenario = scenario.transpose()?.unwrap_or_default();
+    let (speed, state, record) = (args.speed, args.state, args.record);
+    let server = Server::start(Settings { devices, http, speed, state, record, scenario })?;
     let mut signals = server.signals()?;
     announce(&server)?;
     signals.wait();

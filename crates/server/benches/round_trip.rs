@@ -1,7 +1,7 @@
 //! Commands over TCP against bare echoes with as many bytes each way, one after the other in the same loop.
 
 use server::{Server, Settings};
-use sim::DeviceConfig;
+use sim::{DeviceConfig, Scenario};
 use std::{
     io::{Read, Write},
     net::{SocketAddr, TcpListener, TcpStream},
@@ -42,8 +42,15 @@ fn main() {
         DeviceConfig { listen, ..DeviceConfig::new(model) }
     };
     let devices = QUESTIONS.iter().map(device).collect();
-    let server = Server::start(Settings { devices, http: None, speed: 1.0, state: None, record: Vec::new() })
-        .expect("it starts");
+    let server = Server::start(Settings {
+        devices,
+        http: None,
+        speed: 1.0,
+        state: None,
+        record: Vec::new(),
+        scenario: Scenario::default(),
+    })
+    .expect("it starts");
     println!("median of {ROUNDS} round trips over TCP");
     let mut slow = Vec::new();
     for (question, (name, endpoint)) in QUESTIONS.iter().zip(server.ready()) {

@@ -24,7 +24,7 @@ use endpoint::{Framing, Line, Pty, Sockets};
 use http::Http;
 use images::Images;
 use sim::{
-    Bus, DeviceConfig, Endpoint, PlaceError, VirtualDevice,
+    Bus, DeviceConfig, Endpoint, FaultError, PlaceError, Scenario, VirtualDevice,
     flash::ImageError,
     record::{self, RecordError},
     tape::{self, Tape, TapeError},
@@ -51,6 +51,8 @@ pub struct Settings {
     pub state: Option<PathBuf>,
     /// Recordings of every device, by the extension of the file: one file a device, a tape for all together.
     pub record: Vec<PathBuf>,
+    /// The faults that the devices have; times count from now on.
+    pub scenario: Scenario,
 }
 
 /// Why the server does not start, or does not end well; one line of text.
@@ -71,6 +73,14 @@ pub enum Error {
         endpoint: String,
         /// What is wrong with it.
         source: PlaceError,
+    },
+    /// A device does not take a fault of the scenario.
+    #[error("{device}: {source}")]
+    Fault {
+        /// The device.
+        device: String,
+        /// What is wrong with the fault.
+        source: FaultError,
     },
     /// Something else that the system refuses.
     #[error("{what}: {source}")]
@@ -160,6 +170,11 @@ impl Server {
             for file in &files {
                 let file = record::file_of(file, &config.name, settings.devices.len() == 1);
                 device.add_recorder(record::create(&file, &device.record_info())?);
+            }
+            for planned in settings.scenario.of(number) {
+                device
+                    .plan(planned)
+                    .map_err(|source| Error::Fault { device: config.name.clone(), source })?;
             }
             units.push(Arc::new(Unit::new(config, device, settings.speed)));
         }

@@ -10,6 +10,7 @@
 //! - [`flash`] is the memory, with power cuts in the middle of a write.
 //! - [`machine`] follows the trains and says where the next input changes.
 //! - [`device`] is the event loop.
+//! - [`fault`] says what can be wrong with all that, and when.
 //! - [`record`] writes what happened to files: one file a format.
 //! - [`tape`] takes down what devices are told, and plays it again.
 //! - [`mod@run`] runs a standalone program from its start to its end.
@@ -18,6 +19,7 @@
 
 pub mod config;
 pub mod device;
+pub mod fault;
 pub mod flash;
 pub mod machine;
 pub mod record;
@@ -28,5 +30,6 @@ mod testing;
 
 pub use config::{AxisConfig, Bench, BenchError, Bus, DeviceConfig, Endpoint, PlaceError, buses};
 pub use device::{DeviceState, Input, PinError, PinValue, Sent, TimedInput, VirtualDevice};
+pub use fault::{Fault, FaultError, Scenario};
 pub use flash::SharedFlash;
 pub use run::{Program, RunOptions, RunResult, StopReason, run};

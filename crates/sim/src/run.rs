@@ -5,7 +5,10 @@ mod ascript;
 mod tests;
 mod tmcl;
 
-use crate::device::{AxisView, PinError, TimedInput, VirtualDevice};
+use crate::{
+    device::{AxisView, PinError, TimedInput, VirtualDevice},
+    fault::{FaultError, Planned},
+};
 use devices::{Language, Port, ProgramRun};
 use motion::Ticks;
 use serde::{Serialize, Serializer};
@@ -34,6 +37,8 @@ pub struct RunOptions {
     pub for_seconds: Option<f64>,
     /// Inputs that change on the way; times count from the start of the program.
     pub inputs: Vec<TimedInput>,
+    /// Faults; times count from the start of the program, and messages after its download.
+    pub faults: Vec<Planned>,
 }
 
 /// Why a run ended.
@@ -127,6 +132,9 @@ pub enum RunError {
     /// A planned input is not possible.
     #[error(transparent)]
     Pin(#[from] PinError),
+    /// A planned fault is not possible.
+    #[error(transparent)]
+    Fault(#[from] FaultError),
 }
 
 /// Runs a program until it ends or the time is up. Of A-SCRIPT all programs are started that there are, as
@@ -150,7 +158,10 @@ pub fn run(
     for timed in &options.inputs {
         device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
     }
-    let instructions = instructions(device);
+    for planned in &options.faults {
+        device.plan(planned)?;
+    }
+    let instructions = device.instructions();
     match (program, model.language) {
         (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::start(device, dialect, lines)?,
         _ => tmcl::start(device)?,
@@ -167,7 +178,9 @@ pub fn run(
         }
         if device.programs().all(|program| program.run == ProgramRun::Idle) {
             let since = *ended_at.get_or_insert(device.now());
-            let standing = (0..device.axes().len()).all(|axis| device.axis(axis).speed_mpps == 0);
+            // Who has no supply has not ended: it may start again.
+            let standing =
+                device.is_powered() && (0..device.axes().len()).all(|axis| device.axis(axis).speed_mpps == 0);
             let coasted = limit.is_none() && device.now() >= since + MAX_COAST_SECONDS * hz;
             if standing || coasted {
                 break StopReason::Ended;
@@ -189,17 +202,13 @@ pub fn run(
         device_seconds: seconds(device, start),
         wall_seconds: wall.elapsed().as_secs_f64(),
         stop_reason,
-        instructions: self::instructions(device) - instructions,
+        instructions: device.instructions() - instructions,
         axes,
     })
 }
 
 fn seconds(device: &VirtualDevice, start: Ticks) -> f64 {
     (device.now() - start) as f64 / f64::from(device.clock_hz())
-}
-
-fn instructions(device: &VirtualDevice) -> u64 {
-    device.programs().map(|program| program.instructions).sum()
 }
 
 /// Downloads a program over the wire, as a host does, and leaves it standing.

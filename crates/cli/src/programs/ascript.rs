@@ -45,12 +45,14 @@ pub fn check_code(path: &Path, dialect: &Dialect) -> Outcome {
 pub fn load_source(path: &Path, dialect: &Dialect) -> Result<Loaded, Failure> {
     let Code { lines, map } = compiled(path, dialect)?;
     let places = map.into_iter().map(|line| format!("{}:{line}", path.display())).collect();
-    Ok(Loaded { program: Program::Ascript(lines), places })
+    let named = (0..).zip(&lines).filter(|(_, line)| matches!(line, Line::Program(_) | Line::Subroutine(_)));
+    let labels = named.map(|(number, line)| (line.to_string(), number)).collect();
+    Ok(Loaded { program: Program::Ascript(lines), places, labels })
 }
 
 /// A file of compiled lines.
 pub fn load_code(path: &Path, dialect: &Dialect) -> Result<Loaded, Failure> {
-    Ok(Loaded { program: Program::Ascript(lines(path, dialect)?), places: Vec::new() })
+    Ok(Loaded { program: Program::Ascript(lines(path, dialect)?), places: Vec::new(), labels: Vec::new() })
 }
 
 /// A source in the usual layout. Where nobody said which controller it is for, any dialect will do in which

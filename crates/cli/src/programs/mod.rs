@@ -12,7 +12,7 @@ use crate::{
     args::{CheckArgs, FmtArgs},
 };
 use devices::{Language, Model};
-use sim::Program;
+use sim::{Program, fault::Place};
 use std::{
     fs::File,
     io::{IsTerminal, Read, Write, stderr, stdin, stdout},
@@ -92,6 +92,28 @@ pub struct Loaded {
     pub program: Program,
     /// Where each of its commands or lines comes from, as `file:line`; nothing is known of machine code.
     pub places: Vec<String>,
+    /// Names in the source, with their commands or lines.
+    pub labels: Vec<(String, u32)>,
+}
+
+impl Loaded {
+    /// The command or compiled line at a place in the source, which is this file.
+    pub fn find(&self, file: &Path, place: &Place<'_>) -> Result<u32, String> {
+        let found = match place {
+            Place::Line(line) => {
+                let place = format!("{}:{line}", file.display());
+                self.places.iter().position(|other| *other == place).map(|address| address as u32)
+            }
+            Place::Label(label) => {
+                let mut labels = self.labels.iter();
+                labels.find(|(name, _)| name.eq_ignore_ascii_case(label)).map(|(_, address)| *address)
+            }
+        };
+        found.ok_or_else(|| match place {
+            Place::Line(line) => format!("line: nothing of line {line} of {} is executed", file.display()),
+            Place::Label(label) => format!("label: there is no `{label}` in {}", file.display()),
+        })
+    }
 }
 
 /// Looks for mistakes without writing anything.

@@ -8,7 +8,7 @@ use crate::{
 use std::{fmt::Write as _, path::Path};
 use tmcl::{
     Command,
-    asm::{Assembly, Environment, Place, Program, assemble},
+    asm::{Assembly, Environment, Place, Program, Symbol, assemble},
     disasm, image,
 };
 
@@ -53,12 +53,14 @@ pub fn load_source(path: &Path) -> Result<Loaded, Failure> {
     let program = assembly.program.ok_or(Failure::Told(FAILED))?;
     let place = |place: &Place| format!("{}:{}", assembly.files[place.file].name, place.line);
     let places = program.map.iter().map(place).collect();
-    Ok(Loaded { program: sim::Program::Tmcl(program.commands), places })
+    let label = |symbol: Symbol| Some((symbol.name, u32::try_from(symbol.value).ok()?));
+    let labels = program.symbols.into_iter().filter_map(label).collect();
+    Ok(Loaded { program: sim::Program::Tmcl(program.commands), places, labels })
 }
 
 /// Machine code whose checksums are right.
 pub fn load_code(path: &Path) -> Result<Loaded, Failure> {
-    Ok(Loaded { program: sim::Program::Tmcl(commands(path)?), places: Vec::new() })
+    Ok(Loaded { program: sim::Program::Tmcl(commands(path)?), places: Vec::new(), labels: Vec::new() })
 }
 
 /// Assembles a file and shows what there is to say about it.

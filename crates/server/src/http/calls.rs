@@ -18,7 +18,11 @@ use axum::{
     response::{IntoResponse, Response},
 };
 use serde_json::Value;
-use sim::{PinError, PinValue, device::AxisError};
+use sim::{
+    FaultError, PinError, PinValue,
+    device::AxisError,
+    fault::{Entry, FaultView},
+};
 use std::sync::Arc;
 
 type Shared = State<Arc<Site>>;
@@ -101,6 +105,55 @@ pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body:
     Ok(StatusCode::NO_CONTENT)
 }
 
+/// `POST /api/devices/NAME/axes/AXIS/push`
+pub async fn push(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
+    let (name, axis) = at(place)?;
+    let unit = site.unit(&name)?;
+    let distance = whole(body, "pulses")?;
+    unit.with(|device| device.push(&axis, distance))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `POST /api/devices/NAME/axes/AXIS/lose`
+pub async fn lose(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
+    let (name, axis) = at(place)?;
+    let unit = site.unit(&name)?;
+    // Fewer than none are too many.
+    let pulses = u64::try_from(whole(body, "pulses")?).unwrap_or(u64::MAX);
+    unit.with(|device| device.lose(&axis, pulses))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `GET /api/devices/NAME/faults`
+pub async fn faults(State(site): Shared, place: Place<String>) -> Answer<Json<Vec<FaultView>>> {
+    Ok(Json(site.unit(&at(place)?)?.with(|device| device.faults())))
+}
+
+/// `POST /api/devices/NAME/faults`
+pub async fn add_fault(State(site): Shared, place: Place<String>, body: Body) -> Answer<Response> {
+    let unit = site.unit(&at(place)?)?;
+    let entry: Entry = serde_json::from_value(json(body)?)
+        .map_err(|why| unprocessable(format!("this is no fault: {why}")))?;
+    if entry.device.is_some() {
+        return Err(unprocessable("device: the path says which device it is".into()));
+    }
+    let id = unit.with(|device| device.plan_entry(&entry))?;
+    Ok((StatusCode::CREATED, Json(serde_json::json!({ "id": id }))).into_response())
+}
+
+/// `DELETE /api/devices/NAME/faults`
+pub async fn clear_faults(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
+    site.unit(&at(place)?)?.with(|device| device.clear_faults());
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// `DELETE /api/devices/NAME/faults/ID`
+pub async fn clear_fault(State(site): Shared, place: Place<(String, u64)>) -> Answer<StatusCode> {
+    let (name, id) = at(place)?;
+    site.unit(&name)?.with(|device| device.clear_fault(id))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
 /// `POST /api/devices/NAME/mpg/AXIS`
 pub async fn turn_pulser(
     State(site): Shared,
@@ -109,9 +162,7 @@ pub async fn turn_pulser(
 ) -> Answer<StatusCode> {
     let (name, axis) = at(place)?;
     let unit = site.unit(&name)?;
-    let value = json(body)?;
-    let counts = value.as_f64().filter(|counts| counts.fract() == 0.0);
-    let counts = counts.ok_or_else(|| unprocessable(format!("`{value}` is not a number of counts")))? as i64;
+    let counts = whole(body, "counts")?;
     unit.with(|device| device.pulser(&axis, counts))?;
     Ok(StatusCode::NO_CONTENT)
 }
@@ -148,6 +199,16 @@ impl From<AxisError> for Failure {
     }
 }
 
+impl From<FaultError> for Failure {
+    fn from(error: FaultError) -> Self {
+        let status = match error {
+            FaultError::Unknown(_) => StatusCode::NOT_FOUND,
+            FaultError::Wrong(_) | FaultError::TooMany => StatusCode::UNPROCESSABLE_ENTITY,
+        };
+        Self::new(status, error.to_string())
+    }
+}
+
 fn at<T>(place: Place<T>) -> Answer<T> {
     place.map(|Path(place)| place).map_err(|why| Failure::new(why.status(), why.body_text()))
 }
@@ -156,6 +217,13 @@ fn json(body: Body) -> Answer<Value> {
     let bytes = body.map_err(|why| Failure::new(why.status(), why.body_text()))?;
     serde_json::from_slice(&bytes)
         .map_err(|why| Failure::new(StatusCode::BAD_REQUEST, format!("the body is not JSON: {why}")))
+}
+
+/// A whole number of something; beyond the range it is the last one in it.
+fn whole(body: Body, what: &str) -> Answer<i64> {
+    let value = json(body)?;
+    let number = value.as_f64().filter(|number| number.fract() == 0.0);
+    Ok(number.ok_or_else(|| unprocessable(format!("`{value}` is not a number of {what}")))? as i64)
 }
 
 fn unprocessable(message: String) -> Failure {

@@ -7,7 +7,7 @@ use axum::{
     extract::DefaultBodyLimit,
     http::StatusCode,
     middleware,
-    routing::{get, post, put},
+    routing::{delete, get, post, put},
 };
 use std::{
     io,
@@ -70,6 +70,10 @@ fn routes(site: Arc<Site>) -> Router {
         .route("/stream", get(calls::stream))
         .route("/pins/{pin}", get(calls::read_pin).put(calls::drive_pin).delete(calls::release_pin))
         .route("/axes/{axis}/load", put(calls::set_load))
+        .route("/axes/{axis}/push", post(calls::push))
+        .route("/axes/{axis}/lose", post(calls::lose))
+        .route("/faults", get(calls::faults).post(calls::add_fault).delete(calls::clear_faults))
+        .route("/faults/{id}", delete(calls::clear_fault))
         .route("/mpg/{axis}", post(calls::turn_pulser))
         .route("/power-cycle", post(calls::power_cycle))
         .route("/power-cut", post(calls::power_cut));

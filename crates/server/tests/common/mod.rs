@@ -8,7 +8,7 @@ use devices::{
 use rustix::fs::{Mode, OFlags};
 use serde_json::Value;
 use server::{Server, Settings, Token};
-use sim::DeviceConfig;
+use sim::{DeviceConfig, Scenario};
 use std::{
     fs::File,
     io::{ErrorKind, Read, Write},
@@ -177,7 +177,14 @@ pub fn free_address() -> String {
 
 /// Settings for these devices, without HTTP and state.
 pub fn settings(devices: Vec<DeviceConfig>) -> Settings {
-    Settings { devices, http: None, speed: 1.0, state: None, record: Vec::new() }
+    Settings {
+        devices,
+        http: None,
+        speed: 1.0,
+        state: None,
+        record: Vec::new(),
+        scenario: Scenario::default(),
+    }
 }
 
 /// A server for these devices.

@@ -9,6 +9,7 @@ mod tests;
 pub use endpoint::{Endpoint, EndpointError, PlaceError};
 pub use file::{is_name, text as bench_text};
 pub use source::BenchError;
+pub(crate) use source::{Source, read as read_text};
 
 use crate::machine::fitting::fitting;
 use devices::Model;

@@ -1,15 +1,19 @@
 //! A controller in its machine, and the loop that lets their time pass.
 
+mod faults;
 mod pins;
+mod power;
 mod schedule;
 mod settle;
 mod state;
 #[cfg(test)]
 mod tests;
+mod traps;
 mod wheel;
 mod world;
 
 pub use pins::{ParsePinValueError, PinError, PinValue};
+pub(crate) use pins::{find as find_pin, to_drive as level_for};
 pub use schedule::{Input, TimedInput, TimedInputError};
 pub use state::{AxisView, DeviceState, ProgramView};
 pub use wheel::MAX_COUNTS;
@@ -17,11 +21,13 @@ pub use world::{MAX_CONTACTS, MAX_SENT, Sent};
 
 use crate::{
     config::{DeviceConfig, MAX_PULSES},
+    fault::{Parts, Way},
     flash::SharedFlash,
     record::{Mark, Note, RecordError, RecordInfo, Recorder},
     tape::{self, Act, Track},
 };
-use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramState};
+use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramRun, ProgramState};
+use faults::Faults;
 use motion::Ticks;
 use protocol::{hid::Name, tmcl::Status};
 use schedule::Schedule;
@@ -80,6 +86,12 @@ pub struct VirtualDevice {
     /// Those that recordings were told of.
     notices: VecDeque<Notice>,
     tapes: Vec<Track>,
+    faults: Faults,
+    /// The load of each axis without faults.
+    loads: Vec<f64>,
+    is_powered: bool,
+    /// Instructions of all programs before the supply came last.
+    executed: u64,
 }
 
 impl VirtualDevice {
@@ -101,6 +113,7 @@ impl VirtualDevice {
         let (axes, pins, clock_hz) = (controller.axes(), controller.pins(), controller.clock_hz());
         let world = World::new(config, axes, pins, flash.clone(), clock_hz, seed);
         let wheels = axes.iter().map(|axis| Wheel::new(config.axis(axis).mpg_hz, clock_hz)).collect();
+        let loads = axes.iter().map(|axis| config.axis(axis).load).collect();
         let mut device = Self {
             config: config.clone(),
             seed,
@@ -114,6 +127,10 @@ impl VirtualDevice {
             movements: Vec::new(),
             notices: VecDeque::new(),
             tapes: Vec::new(),
+            faults: Faults::none(&Parts { model: config.model, axes, pins }),
+            loads,
+            is_powered: true,
+            executed: 0,
             controller,
         };
         device.start();
@@ -162,9 +179,9 @@ impl VirtualDevice {
 
     /// When something will happen by itself; [`Ticks::MAX`] if nothing will.
     pub fn wake(&self) -> Ticks {
-        let own = self.controller.wake();
+        let own = if self.is_powered { self.controller.wake() } else { Ticks::MAX };
         let own = if own == Ticks::MAX { own } else { own.saturating_add(self.world.origin) };
-        own.min(self.outside()).min(self.world.next_sample())
+        own.min(self.outside()).min(self.world.next_sample()).min(self.world.wire.next(Way::Out))
     }
 
     /// The device time at which something has to be done here. Recordings look at the axes wherever
@@ -175,7 +192,9 @@ impl VirtualDevice {
 
     /// The device time at which something outside happens by itself.
     fn outside(&self) -> Ticks {
-        self.schedule.next().min(self.next_turn()).min(self.world.machine.due())
+        let machine = self.next_turn().min(self.world.machine.due());
+        let wire = self.world.wire.next(Way::In).min(self.world.wire.next_babble());
+        self.schedule.next().min(machine).min(wire).min(self.faults.next())
     }
 
     /// Lets time pass until the end of clock `until`. An earlier time than now is now.
@@ -196,19 +215,21 @@ impl VirtualDevice {
     /// Bytes arrive at a port.
     pub fn receive(&mut self, port: Port, bytes: &[u8]) {
         self.tell_tape(|| Act::Receive(port.into(), tape::hex(bytes)));
-        self.world.record_received(port, bytes);
-        self.controller.receive(port, bytes, &mut self.world);
-        self.settle();
+        self.carry(port, bytes);
     }
 
     /// Whoever was sending at a port has gone, maybe in the middle of something.
     pub fn hang_up(&mut self, port: Port) {
         self.tell_tape(|| Act::HangUp(port.into()));
-        self.controller.hang_up(port);
+        self.faults.hang_up(port);
+        if self.is_powered {
+            self.controller.hang_up(port);
+        }
     }
 
     /// Takes what was sent since the last time, oldest first.
     pub fn drain_sent(&mut self) -> impl Iterator<Item = Sent> + '_ {
+        self.world.take_in();
         self.world.sent.drain(..)
     }
 
@@ -244,6 +265,7 @@ impl VirtualDevice {
         }
         self.tell_tape(|| Act::Pin(name.into(), Some(value)));
         self.put(pin, Some(level));
+        self.tend_faults();
         Ok(())
     }
 
@@ -255,6 +277,7 @@ impl VirtualDevice {
         let pin = self.input_pin(name)?;
         self.tell_tape(|| Act::Pin(name.into(), None));
         self.put(pin, None);
+        self.tend_faults();
         Ok(())
     }
 
@@ -295,7 +318,8 @@ impl VirtualDevice {
             return Err(AxisError::Range);
         }
         self.tell_tape(|| Act::Load(name.into(), load));
-        self.world.machine.set_load(axis, load);
+        self.loads[axis] = load;
+        self.world.machine.set_load(axis, load + self.faults.load(axis));
         self.world.windows[axis] = None;
         self.settle();
         Ok(())
@@ -316,6 +340,7 @@ impl VirtualDevice {
         self.world.windows[axis] = None;
         self.world.stir(Stirred::Contacts);
         self.settle();
+        self.tend_faults();
         Ok(())
     }
 
@@ -370,32 +395,27 @@ impl VirtualDevice {
         Ok(self.world.machine.position(self.axis_index(axis)?))
     }
 
-    /// Switches the supply off and on again. Flash operations that are running come to their end.
-    pub fn power_cycle(&mut self) {
-        self.tell_tape(|| Act::PowerCycle);
-        self.flash.finish();
-        self.restart("after a power cycle");
-    }
-
-    /// Cuts the supply and switches it on again. What flash had not finished is lost or torn.
-    pub fn power_cut(&mut self) {
-        self.tell_tape(|| Act::PowerCut);
-        self.world.set_clock(self.world.clock);
-        self.flash.cut_now();
-        self.restart("after a power cut");
-    }
-
     /// The counters and status of an axis by its number.
     ///
     /// # Panics
     /// If there is no axis of this number.
     pub fn axis(&mut self, axis: usize) -> AxisState {
+        if !self.is_powered {
+            return AxisState::default();
+        }
         self.controller.axis(axis, &mut self.world)
     }
 
     /// The state of a program by its number; `None` past the last.
     pub fn program(&self, index: usize) -> Option<ProgramState> {
-        self.controller.program(index)
+        let program = self.controller.program(index)?;
+        let off = ProgramState { run: ProgramRun::Idle, counter: 0, instructions: 0 };
+        Some(if self.is_powered { program } else { off })
+    }
+
+    /// Instructions that all programs have executed since the device was made.
+    pub fn instructions(&self) -> u64 {
+        self.executed + self.programs().map(|program| program.instructions).sum::<u64>()
     }
 
     /// The next command that a program passed over; only the first few are kept.
@@ -473,53 +493,66 @@ impl VirtualDevice {
     fn put(&mut self, pin: usize, level: Option<i32>) {
         let before = self.world.level(pin);
         self.world.drive_input(pin, level);
-        if self.pins()[pin].kind.is_analog() {
-            let level = self.world.level(pin);
-            if level != before {
-                self.world.record_pin(pin, level);
-                self.controller.analog_changed(pin, &mut self.world);
-            }
-        }
+        self.analog_was(pin, before);
         self.settle();
     }
 
-    fn restart(&mut self, why: &str) {
-        self.flash.restore_power();
-        self.world.power_up();
-        self.world.record_note(Note::PowerUp, why);
-        self.controller = (self.config.model.build)(Box::new(self.flash.clone()), self.seed);
-        self.start();
-    }
-
-    /// The first moment of a controller: it is told what its inputs are unless they are at rest.
-    fn start(&mut self) {
-        let pins = self.pins();
-        self.told = pins.iter().map(|pin| pin.rest).collect();
-        self.places = (0..pins.len()).map(|pin| self.world.machine.place_of(pin)).collect();
-        self.world.set_clock(0);
-        for (pin, description) in pins.iter().enumerate() {
-            if description.kind.is_analog() && self.world.level(pin) != description.rest {
+    /// Tells of an analog pin if it no longer has this level.
+    fn analog_was(&mut self, pin: usize, before: i32) {
+        let level = self.world.level(pin);
+        if self.pins()[pin].kind.is_analog() && level != before {
+            self.world.record_pin(pin, level);
+            if self.is_powered {
                 self.controller.analog_changed(pin, &mut self.world);
             }
         }
-        self.world.stirred = Stirred::Pins;
-        self.settle();
-        self.controller.advance(0, &mut self.world);
-        self.settle();
-        self.movements = self.movement();
+    }
+
+    /// Bytes enter the wire to a port. A fault that waits for a message begins before it.
+    fn carry(&mut self, port: Port, bytes: &[u8]) {
+        let mut from = 0;
+        if self.faults.listens() {
+            for (at, byte) in bytes.iter().enumerate() {
+                if self.faults.hear(port, at == 0, *byte, self.now(), self.clock_hz) {
+                    if from < at {
+                        self.pass_in(port, &bytes[from..at]);
+                    }
+                    from = at;
+                    self.tend_faults();
+                }
+            }
+        }
+        self.pass_in(port, &bytes[from..]);
+        self.tend_faults();
+    }
+
+    fn pass_in(&mut self, port: Port, bytes: &[u8]) {
+        if self.world.wire.is_sound() {
+            return self.hear(port, bytes);
+        }
+        let mut arrived = Vec::new();
+        self.world
+            .wire
+            .pass(Way::In, self.world.now(), (port, 0, bytes), |bytes| arrived.push(bytes.to_vec()));
+        arrived.iter().for_each(|bytes| self.hear(port, bytes));
     }
 
     /// Goes to device time `now`, or to the first change of an input before it.
     fn step(&mut self, now: Ticks) {
-        // Less than was asked for where a shaft has come to the edge of its window.
-        let clock = self.controller.advance(now - self.world.origin, &mut self.world);
-        self.world.set_clock(clock);
-        self.world.settle_contacts();
-        self.settle();
-        self.turn_wheels();
+        if self.is_powered {
+            // Less than was asked for where a shaft has come to the edge of its window.
+            let clock = self.controller.advance(now - self.world.origin, &mut self.world);
+            self.world.set_clock(clock);
+            self.world.settle_contacts();
+            self.settle();
+            self.turn_wheels();
+        } else {
+            self.pass_in_the_dark(now);
+        }
         while let Some(due) = self.schedule.take(self.now()) {
             self.put(due.pin, due.level);
         }
+        self.tend_faults();
         if self.world.is_recording() {
             self.record();
         }

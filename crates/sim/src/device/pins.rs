@@ -48,7 +48,7 @@ pub enum PinError {
 }
 
 /// The number of a pin.
-pub(super) fn find(pins: &[Pin], name: &str) -> Result<usize, PinError> {
+pub(crate) fn find(pins: &[Pin], name: &str) -> Result<usize, PinError> {
     pins.iter().position(|pin| pin.name == name).ok_or_else(|| {
         let known: Vec<_> = pins.iter().map(|pin| pin.name).collect();
         PinError::Unknown { name: name.into(), known: known.join(", ") }
@@ -56,7 +56,7 @@ pub(super) fn find(pins: &[Pin], name: &str) -> Result<usize, PinError> {
 }
 
 /// The level or number to drive an input with.
-pub(super) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
+pub(crate) fn to_drive(pin: &Pin, value: PinValue) -> Result<i32, PinError> {
     let name = || pin.name.to_owned();
     match (pin.kind, value) {
         (PinKind::Output | PinKind::AnalogOutput, _) => Err(PinError::Output(name())),

@@ -2,6 +2,7 @@
 
 use super::{
     VirtualDevice,
+    traps::Seen,
     world::{Follower, Stirred},
 };
 use motion::Ticks;
@@ -12,6 +13,9 @@ const MAX_SETTLING: u32 = 1000;
 impl VirtualDevice {
     /// Tells the controller of inputs that changed, until none does, and how far it can go from there.
     pub(super) fn settle(&mut self) {
+        if !self.is_powered {
+            return;
+        }
         let mut rounds = 0;
         loop {
             self.world.machine.update_contacts(self.world.now());
@@ -64,6 +68,7 @@ impl VirtualDevice {
 
     fn tell(&mut self, pin: usize, level: i32) {
         self.told[pin] = level;
+        self.world.traps.see(pin, level, Seen::AtOnce);
         // A mark that nobody watches is seen late, if at all: a recording had better not name it.
         if self.world.watches(pin, self.controller.as_ref()) {
             self.world.record_pin(pin, level);

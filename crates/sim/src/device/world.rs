@@ -1,8 +1,13 @@
 //! Everything around the controller: the board that it acts on.
 
+use super::traps::{Seen, Traps};
 use crate::{
     SharedFlash,
     config::DeviceConfig,
+    fault::{
+        Way,
+        wire::{Parcel, Wire},
+    },
     machine::{Edge, Machine},
     record::{Mark, Note, RecordError, Recorder},
 };
@@ -84,6 +89,10 @@ pub(super) struct World {
     outputs: Vec<Option<i32>>,
     /// What each pin is driven to by hand. A port that is an output does not show it.
     hands: Vec<Option<i32>>,
+    /// The levels of inputs that are stuck.
+    pub stuck: Vec<Option<i32>>,
+    pub traps: Traps,
+    pub wire: Wire,
     /// What the recordings were told of each pin last.
     shown: Vec<i32>,
     pub stirred: Stirred,
@@ -128,6 +137,9 @@ impl World {
             sent: VecDeque::new(),
             outputs: vec![None; pins.len()],
             hands: vec![None; pins.len()],
+            stuck: vec![None; pins.len()],
+            traps: Traps::default(),
+            wire: Wire::new(clock_hz, seed),
             shown: vec![0; pins.len()],
             stirred: Stirred::Pins,
             windows: vec![None; axes.len()],
@@ -157,15 +169,16 @@ impl World {
         self.windows.fill(None);
         for pin in 0..self.pins.len() {
             if self.outputs[pin].take().is_some() {
-                self.record_pin(pin, self.level(pin));
+                self.show(pin);
             }
         }
     }
 
-    /// What is on a pin: what the controller drives, else what a hand does, else the machine, else nothing.
+    /// What is on a pin: what the controller drives, else where it is stuck, else what a hand does, else the
+    /// machine, else nothing.
     pub fn level(&self, pin: usize) -> i32 {
         let rest = self.pins[pin].rest;
-        if let Some(level) = self.outputs[pin].or(self.hands[pin]) {
+        if let Some(level) = self.outputs[pin].or(self.stuck[pin]).or(self.hands[pin]) {
             return level;
         }
         if self.pins[pin].kind.is_analog() {
@@ -185,14 +198,15 @@ impl World {
 
     /// Whether the machine, and nobody's hand, decides what is on a pin.
     pub fn is_free(&self, pin: usize) -> bool {
-        self.hands[pin].is_none()
+        self.hands[pin].is_none() && self.stuck[pin].is_none()
     }
 
     /// Whether the clock matters at which an input changes: to the controller, or to a recording. Only
     /// index marks are too many to record them all.
     pub fn watches(&self, pin: usize, controller: &dyn Controller) -> bool {
         let recorded = self.is_recording() && matches!(self.pins[pin].kind, PinKind::Input | PinKind::Port);
-        !self.is_free(pin) || recorded || self.machine.remembers(pin) || controller.watches(pin)
+        let matters = self.machine.remembers(pin) || self.traps.watches(pin);
+        !self.is_free(pin) || recorded || matters || controller.watches(pin)
     }
 
     /// Whether the window of an axis has to be reckoned again: what it was reckoned from is another now,
@@ -236,6 +250,7 @@ impl World {
                 at_once |= self.machine.ends_with_pulse(pin, axis, self.now());
             }
         }
+        edges.extend(self.traps.edges(axis, &self.machine));
         for channel in (0..self.machine.encoders()).filter(|&other| self.machine.axis_of(other) == axis) {
             if let Some((down, up)) = self.encoder_room(channel, self.watched.encoders[channel]) {
                 edges.push(self.machine.encoder_edge(channel, down, up));
@@ -362,7 +377,33 @@ impl World {
 
     fn put_out(&mut self, pin: usize, level: i32) {
         self.outputs[pin] = Some(level);
+        self.show(pin);
+    }
+
+    /// The controller has changed what is on a pin.
+    fn show(&mut self, pin: usize) {
+        let level = self.level(pin);
+        self.traps.see(pin, level, Seen::Later);
         self.record_pin(pin, level);
+    }
+
+    /// Whoever listens at the other end of a wire hears something that the controller did not send.
+    pub fn overhear(&mut self, port: Port, bytes: &[u8]) {
+        self.arrive(Sent { at: self.now(), port, delay_ms: 0, bytes: bytes.into() });
+    }
+
+    /// What was late and has arrived by now goes to those who listen.
+    pub fn take_in(&mut self) {
+        while let Some(Parcel { due, port, delay_ms, bytes }) = self.wire.take(Way::Out, self.now()) {
+            self.arrive(Sent { at: due, port, delay_ms, bytes });
+        }
+    }
+
+    fn arrive(&mut self, sent: Sent) {
+        if self.sent.len() == MAX_SENT {
+            self.sent.pop_front();
+        }
+        self.sent.push_back(sent);
     }
 
     fn each(&mut self, mut tell: impl FnMut(&mut dyn Recorder)) {
@@ -401,12 +442,15 @@ impl Board for World {
     }
 
     fn send(&mut self, port: Port, bytes: &[u8], delay_ms: u32) {
-        if self.sent.len() == MAX_SENT {
-            self.sent.pop_front();
-        }
         let now = self.now();
-        self.sent.push_back(Sent { at: now, port, delay_ms, bytes: bytes.into() });
         self.each(|recorder| recorder.sent(now, port, bytes));
+        if self.wire.is_sound() {
+            return self.arrive(Sent { at: now, port, delay_ms, bytes: bytes.into() });
+        }
+        self.take_in();
+        let mut arrived = Vec::new();
+        self.wire.pass(Way::Out, now, (port, delay_ms, bytes), |bytes| arrived.push(bytes.to_vec()));
+        arrived.into_iter().for_each(|bytes| self.arrive(Sent { at: now, port, delay_ms, bytes }));
     }
 
     fn output(&mut self, pin: usize, on: bool) {
@@ -417,7 +461,7 @@ impl Board for World {
     fn release(&mut self, pin: usize) {
         assert_eq!(self.pins[pin].kind, PinKind::Port, "only a port can become an input");
         if self.outputs[pin].take().is_some() {
-            self.record_pin(pin, self.level(pin));
+            self.show(pin);
             self.stirred = Stirred::Pins;
         }
     }

@@ -26,7 +26,7 @@ use servo::Servo;
 pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
 pub use table::{EncoderRow, MachineTable, PinRow, ZoneRow};
-use zone::Zone;
+use zone::{NEVER, Zone};
 
 /// The machine of one device.
 #[derive(Debug)]
@@ -305,6 +305,12 @@ impl Machine {
             matches!(contact.mover, Mover::InPosition { axis: mover }
                 if mover == axis && self.is_in_position(axis, now))
         })
+    }
+
+    /// Where the driven side of an axis arrives at a position that it comes to from below or from above.
+    pub const fn arrival(&self, position: i64, from_below: bool) -> Edge {
+        let (below, above) = if from_below { (-NEVER, position) } else { (position, NEVER) };
+        Edge { side: Side::Load, below, above }
     }
 
     /// The odometer window of an axis in which it arrives at none of these edges.

@@ -60,7 +60,7 @@ fn the_last_move_comes_to_its_end() {
 #[test]
 fn the_time_is_a_limit() {
     let program = program(&[(ROR, 0, 0, 500), (JA, 0, 0, 1)]);
-    let options = RunOptions { for_seconds: Some(1.5), inputs: Vec::new() };
+    let options = RunOptions { for_seconds: Some(1.5), inputs: Vec::new(), ..RunOptions::default() };
     let mut reports = 0;
     let result = run(&mut device(), &program, &options, |_| reports += 1).unwrap();
     assert_eq!((result.stop_reason, result.device_seconds), (StopReason::TimeUp, 1.5));
@@ -74,14 +74,14 @@ fn planned_inputs_count_from_the_start() {
     let program = program(&[(ROR, 0, 0, 500), (JA, 0, 0, 1)]);
     let input = Input { pin: "STOP_R".into(), value: Some(PinValue::Level(true)) };
     let stop = TimedInput { seconds: 0.5, input };
-    let options = RunOptions { for_seconds: Some(2.0), inputs: vec![stop] };
+    let options = RunOptions { for_seconds: Some(2.0), inputs: vec![stop], ..RunOptions::default() };
     let mut module = device();
     let stopped = run(&mut module, &program, &options, |_| ()).unwrap().axes["0"].steps;
-    let free = RunOptions { for_seconds: Some(2.0), inputs: Vec::new() };
+    let free = RunOptions { for_seconds: Some(2.0), inputs: Vec::new(), ..RunOptions::default() };
     let gone = run(&mut device(), &program, &free, |_| ()).unwrap().axes["0"].steps;
     assert!(stopped > 0 && stopped < gone / 2, "{stopped} of {gone}");
     let unknown = TimedInput { seconds: 0.5, input: Input { pin: "DI1".into(), value: None } };
-    let options = RunOptions { for_seconds: None, inputs: vec![unknown] };
+    let options = RunOptions { for_seconds: None, inputs: vec![unknown], ..RunOptions::default() };
     assert!(matches!(
         run(&mut module, &program, &options, |_| ()),
         Err(RunError::Pin(PinError::Unknown { .. }))
@@ -174,7 +174,11 @@ fn all_programs_of_a_file_run() {
 fn a_program_that_fails_ends_the_run() {
     let source = "EO=1\nHSPD=5000\nJOGX+\nWAITX\nEND\nPRG 1\nWHILE 1=1\nENDWHILE\nEND\n";
     let input = Input { pin: "+LX".into(), value: Some(PinValue::Level(true)) };
-    let options = RunOptions { for_seconds: Some(10.0), inputs: vec![TimedInput { seconds: 0.5, input }] };
+    let options = RunOptions {
+        for_seconds: Some(10.0),
+        inputs: vec![TimedInput { seconds: 0.5, input }],
+        ..RunOptions::default()
+    };
     let result = run(&mut stage(), &ascript(source), &options, |_| ()).unwrap();
     assert_eq!(result.stop_reason, StopReason::Error);
     assert!((0.5..0.51).contains(&result.device_seconds), "{}", result.device_seconds);

@@ -13,7 +13,7 @@ mod tests;
 pub use log::Log;
 pub use replay::{Reader, Replay};
 
-use crate::{config::DeviceConfig, device::PinValue, flash::SharedFlash};
+use crate::{config::DeviceConfig, device::PinValue, fault::Entry as Fault, flash::SharedFlash};
 use devices::Port;
 use motion::Ticks;
 use serde::{Deserialize, Serialize};
@@ -134,6 +134,10 @@ pub enum Act {
     PowerCycle,
     /// The supply is cut.
     PowerCut,
+    /// A fault is planned.
+    Fault(Box<Fault>),
+    /// A fault is cleared by its number, or all are.
+    Clear(Option<u64>),
     /// The end of the tape.
     End,
 }
@@ -267,7 +271,7 @@ pub(crate) fn hex(bytes: &[u8]) -> String {
 }
 
 /// Text as bytes; `None` if it is not pairs of digits.
-fn unhex(text: &str) -> Option<Vec<u8>> {
+pub(crate) fn unhex(text: &str) -> Option<Vec<u8>> {
     if !text.is_ascii() || !text.len().is_multiple_of(2) {
         return None;
     }

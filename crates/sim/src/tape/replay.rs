@@ -148,6 +148,9 @@ fn perform(device: &mut VirtualDevice, act: &Act) -> Result<(), String> {
         Act::Mpg(axis, counts) => device.pulser(axis, *counts).map_err(text)?,
         Act::PowerCycle => device.power_cycle(),
         Act::PowerCut => device.power_cut(),
+        Act::Fault(entry) => drop(device.plan_entry(entry).map_err(text)?),
+        Act::Clear(Some(id)) => device.clear_fault(*id).map_err(text)?,
+        Act::Clear(None) => device.clear_faults(),
         Act::End => {}
     }
     Ok(())
