@@ -106,6 +106,8 @@ pub enum Wiring {
     Index(usize),
     /// The slowdown switch of the axis.
     Slowdown(usize),
+    /// The joystick of the axis: at rest the pin is in the middle of its range.
+    Joystick(usize),
     /// The signal of the axis' servo driver that it has followed all pulses.
     InPosition(usize),
     /// The motor supply.

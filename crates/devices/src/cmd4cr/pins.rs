@@ -48,8 +48,8 @@ const fn free(name: &'static str, kind: PinKind) -> Pin {
     pin(name, kind, Wiring::Free)
 }
 
-const fn analog(name: &'static str) -> Pin {
-    Pin { unit: "mV", rest: MIDDLE_MV, ..free(name, Analog) }
+const fn analog(name: &'static str, axis: usize) -> Pin {
+    Pin { unit: "mV", rest: MIDDLE_MV, ..pin(name, Analog, Wiring::Joystick(axis)) }
 }
 
 /// How much of its 500 Hz a PWM output is high.
@@ -137,8 +137,8 @@ pub static PINS: &[Pin] = &[
     free("IO30", Port),
     free("IO31", Port),
     free("IO32", Port),
-    analog("AI1"),
-    analog("AI2"),
+    analog("AI1", 0),
+    analog("AI2", 1),
     pwm("PWM1"),
     pwm("PWM2"),
 ];

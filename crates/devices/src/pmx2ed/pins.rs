@@ -37,8 +37,8 @@ const fn output(name: &'static str) -> Pin {
     pin(name, PinKind::Output, Wiring::Free)
 }
 
-const fn analog(name: &'static str) -> Pin {
-    Pin { unit: "mV", rest: MIDDLE_MV, ..pin(name, PinKind::Analog, Wiring::Free) }
+const fn analog(name: &'static str, axis: usize) -> Pin {
+    Pin { unit: "mV", rest: MIDDLE_MV, ..pin(name, PinKind::Analog, Wiring::Joystick(axis)) }
 }
 
 /// The pins.
@@ -67,8 +67,8 @@ pub static PINS: &[Pin] = &[
     output("DO6"),
     output("DO7"),
     output("DO8"),
-    analog("AI1"),
-    analog("AI2"),
+    analog("AI1", 0),
+    analog("AI2", 1),
     output("EO1"),
     output("EO2"),
 ];

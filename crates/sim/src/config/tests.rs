@@ -38,6 +38,17 @@ fn everything_can_be_said() {
         slowdown = [[-500, -400], [90000, 100000]]
         in_position_ms = 20
         mpg_hz = 400
+        switch_hysteresis = 5
+        bounce_ms = 3
+        normally_closed = ["home", "slowdown"]
+        encoder_at = "motor"
+        pull_out = [[0, 1], [2000, 0.5]]
+        friction = 0.125
+        microsteps = 16
+        [[device.axis.0.cam]]
+        pin = "PORT"
+        on = [0, 10]
+        normally_closed = true
 
         [[device]]
         model = "test"
@@ -56,6 +67,16 @@ fn everything_can_be_said() {
         in_position_ms: Some(20),
         mpg_from: None,
         mpg_hz: 400,
+        circumference: None,
+        switch_hysteresis: 5,
+        bounce_ms: 3,
+        normally_closed: vec![Switch::Home, Switch::Slowdown],
+        encoder_at: EncoderPlace::Motor,
+        pull_out: vec![[0.0, 1.0], [2000.0, 0.5]],
+        friction: 0.125,
+        microsteps: 16,
+        joystick: 0.0,
+        cams: vec![Cam { pin: "PORT".into(), on: [0, 10], normally_closed: true }],
     };
     let first = DeviceConfig {
         name: "stage".into(),
@@ -86,6 +107,16 @@ fn defaults_belong_to_the_model() {
         in_position_ms: None,
         mpg_from: None,
         mpg_hz: 10_000,
+        circumference: None,
+        switch_hysteresis: 0,
+        bounce_ms: 0,
+        normally_closed: Vec::new(),
+        encoder_at: EncoderPlace::Load,
+        pull_out: Vec::new(),
+        friction: 0.0,
+        microsteps: 1,
+        joystick: 0.0,
+        cams: Vec::new(),
     };
     assert_eq!(AxisConfig::of_model("pmx-2ed"), usual);
     assert_eq!(DeviceConfig::new(&MODELS[0]).axis("0"), AxisConfig::of_model("test"));
@@ -97,18 +128,26 @@ fn text_that_is_not_toml() {
     check("\n\nmodel = test\n", "bench.toml:3: invalid boolean, expected `true`");
 }
 
+/// What serde reads is what the table has, in its order.
+fn names(keys: &[keys::Key]) -> String {
+    keys.iter().map(|key| format!("`{}`", key.name)).collect::<Vec<_>>().join(", ")
+}
+
 #[test]
 fn keys_that_do_not_exist() {
     check(
         "[[device]]\nmodel = \"test\"\ncolour = 3\n",
-        "bench.toml:3: device.colour: unknown field `colour`, expected one of \
-         `model`, `name`, `listen`, `supply`, `temperature`, `seed`, `axis`",
+        &format!(
+            "bench.toml:3: device.colour: unknown field `colour`, expected one of {}",
+            names(keys::DEVICE)
+        ),
     );
     check_axis(
         "home = [0, 1]\nbacklsh = 3\n",
-        "bench.toml:5: device.axis.0.backlsh: unknown field `backlsh`, expected one of \
-         `negative_limit`, `positive_limit`, `home`, `index_every`, `encoder_ratio`, `backlash`, `load`, `hard_stops`, \
-         `slowdown`, `in_position_ms`, `mpg_from`, `mpg_hz`",
+        &format!(
+            "bench.toml:5: device.axis.0.backlsh: unknown field `backlsh`, expected one of {}",
+            names(keys::AXIS)
+        ),
     );
     check("devices = 1\n", "bench.toml:1: devices: unknown field `devices`, expected `device`");
     check("", "bench.toml:1: bench file: missing field `device`");
@@ -151,9 +190,9 @@ fn devices_that_cannot_be() {
     let serial = "[[device]]\nmodel = \"test\"\nlisten = [\"hid-tcp:h:1\"]\n";
     check(serial, "bench.toml:3: device.listen: hid-tcp:h:1: a test is no HID device");
     let supply = "[[device]]\nmodel = \"test\"\nsupply = nan\n";
-    check(supply, "bench.toml:3: device.supply: NaN V is outside 0 to 1000 V");
+    check(supply, "bench.toml:3: device.supply: NaN is outside 0 to 1000 V");
     let cold = "[[device]]\nmodel = \"test\"\ntemperature = -300\n";
-    check(cold, "bench.toml:3: device.temperature: -300 °C is outside -273 to 1000 °C");
+    check(cold, "bench.toml:3: device.temperature: -300 is outside -273 to 1000 °C");
     let axis = "[[device]]\nmodel = \"test\"\n\n[device.axis.X]\nload = 0\n";
     check(axis, "bench.toml:4: device.axis.X: unknown axis `X`, test has: 0");
 }
@@ -198,8 +237,64 @@ fn machines_that_cannot_be() {
     let itself = "bench.toml:4: device.axis.0.mpg_from: an axis does not follow itself";
     check_axis("mpg_from = \"0\"\n", itself);
     check_axis("mpg_from = \"X\"\n", "bench.toml:4: device.axis.0.mpg_from: unknown axis `X`, known: 0");
+    let cut = "the second zone must begin above 5, with a gap";
+    check_axis(
+        "switch_hysteresis = 3\nslowdown = [[0, 5], [12, 20]]\n",
+        &format!("bench.toml:5: device.axis.0.slowdown: {cut}"),
+    );
+    check_axis("bounce_ms = 5000\n", "bench.toml:4: device.axis.0.bounce_ms: 5000 is outside 0 to 1000 ms");
+    let words = "expected one of `negative_limit`, `positive_limit`, `home`, `slowdown`";
+    check_axis(
+        "normally_closed = [\"index\"]\n",
+        &format!("bench.toml:4: device.axis.0.normally_closed: unknown variant `index`, {words}"),
+    );
+    let rising =
+        "bench.toml:4: device.axis.0.pull_out: speeds must rise from point to point, and torques must not";
+    check_axis("pull_out = [[0, 0.5], [100, 0.6]]\n", rising);
+    check_axis("pull_out = [[100, 0.5], [100, 0.4]]\n", rising);
+    let fast = "bench.toml:4: device.axis.0.pull_out: 2000000 is outside 0 to 1000000";
+    check_axis("pull_out = [[0, 0.5], [2000000, 0.4]]\n", fast);
+    let points = format!("pull_out = {:?}", vec![[0, 1]; MAX_POINTS + 1]);
+    check_axis(&points, "bench.toml:4: device.axis.0.pull_out: 1 to 64 points");
+    check_axis(
+        "friction = 1\n",
+        "bench.toml:4: device.axis.0.friction: what is lost to the speed needs `pull_out`",
+    );
     let wheel = "bench.toml:4: device.axis.0.mpg_hz: 0 is outside 1 to 1000000 counts a second";
     check_axis("mpg_hz = 0\n", wheel);
+}
+
+#[test]
+fn an_axis_that_goes_round() {
+    let ends = "an axis that goes round has no ends";
+    for key in ["negative_limit", "positive_limit"] {
+        check_axis(
+            &format!("circumference = 800\n{key} = 5\n"),
+            &format!("bench.toml:5: device.axis.0.{key}: {ends}"),
+        );
+    }
+    check_axis(
+        "circumference = 800\nindex_every = 300\n",
+        "bench.toml:5: device.axis.0.index_every: 300 must divide the circumference 800",
+    );
+    let zone = "bench.toml:5: device.axis.0.slowdown: one zone only on an axis that goes round";
+    check_axis("circumference = 800\nslowdown = [[0, 5], [100, 105]]\n", zone);
+    let bench = parse("[[device]]\nmodel = \"test\"\n[device.axis.0]\ncircumference = 800\n").unwrap();
+    assert_eq!(bench.devices[0].axis("0").index_every, 800);
+}
+
+#[test]
+fn cams_that_cannot_be() {
+    let cam = |pin: &str, on: &str| format!("[[device.axis.0.cam]]\npin = \"{pin}\"\non = {on}\n");
+    let at = |entry: &str, problem: &str| format!("bench.toml:{entry}: {problem}");
+    check_axis(&cam("IN9", "[0, 5]"), &at("5: device.axis.0.cam.0.pin", "the device has no pin `IN9`"));
+    check_axis(&cam("OUT", "[0, 5]"), &at("5: device.axis.0.cam.0.pin", "`OUT` is no digital input"));
+    check_axis(&cam("PORT", "[6, 5]"), &at("6: device.axis.0.cam.0.on", "6 must not lie above 5"));
+    let far = "9000000000000 is outside -1099511627776 to 1099511627776 pulses";
+    check_axis(&cam("PORT", "[0, 9000000000000]"), &at("6: device.axis.0.cam.0.on", far));
+    let twice = cam("PORT", "[0, 5]") + &cam("PORT", "[8, 9]");
+    check_axis(&twice, &at("3: device.axis", "two cams on `PORT`"));
+    check_axis(&cam("PORT", "[0, 5]").repeat(17), &at("4: device.axis.0.cam", "16 at most"));
 }
 
 #[test]
@@ -246,12 +341,17 @@ fn a_device_is_set_only_what_it_has() {
         assert_eq!(Bench::parse(&text, "bench.toml").unwrap_err().to_string(), expected);
     };
     check("supply = 24", "bench.toml:3: device.supply: pmx-2ed has no pin that measures this");
+    let driver = "the device has its own driver, and a parameter for this";
+    let pd42 = "[[device]]\nmodel = \"pd42-1140\"\n[device.axis.0]\nmicrosteps = 16\n";
+    let error = Bench::parse(pd42, "bench.toml").unwrap_err().to_string();
+    assert_eq!(error, format!("bench.toml:4: device.axis.0.microsteps: {driver}"));
     check("temperature = 24", "bench.toml:3: device.temperature: pmx-2ed has no pin that measures this");
     for (entry, key, input) in [
         ("slowdown = [0, 1]", "slowdown", "slowdown"),
         ("in_position_ms = 5", "in_position_ms", "in-position"),
         ("mpg_from = \"X\"", "mpg_from", "MPG"),
         ("mpg_hz = 5", "mpg_hz", "MPG"),
+        ("normally_closed = [\"slowdown\"]", "normally_closed", "slowdown"),
     ] {
         let problem = format!("the device has no {input} input for this axis");
         check(&format!("[device.axis.Y]\n{entry}"), &format!("bench.toml:4: device.axis.Y.{key}: {problem}"));

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::{
-    config::AxisConfig,
+    config::{AxisConfig, Cam, EncoderPlace, Switch},
     record::Recorder,
     testing::{
         CLOCK_HZ, ENCODER, HOME, IN_POSITION, INDEX, INTERVAL, LEVEL, MODELS, Order, PORT, PULSER, SLOWDOWN,
@@ -663,4 +663,85 @@ fn a_switch_bounces_the_same_however_time_is_cut() {
     assert!(whole.iter().enumerate().all(|(number, (_, (_, on, _)))| *on == (number % 2 == 0)), "{whole:?}");
     let fine: Vec<_> = (0..3000).map(|slice| slice * 7).collect();
     assert_eq!(reports(&fine), whole);
+}
+
+#[test]
+fn a_switch_stays_on_for_its_hysteresis() {
+    let mut device = device(AxisConfig { switch_hysteresis: 5, home: [100, 200], ..small() });
+    // Nobody watches, and still each change is seen where it is.
+    order(&mut device, Order::Watch(0));
+    let mut home = |target| {
+        let mut reports = go(&mut device, target);
+        reports.retain(|(pin, ..)| *pin == HOME);
+        reports
+    };
+    assert_eq!(home(300), [(HOME, true, 100), (HOME, false, 206)]);
+    assert_eq!(home(97), [(HOME, true, 200)]);
+    assert_eq!(home(0), [(HOME, false, 94)]);
+}
+
+#[test]
+fn a_closed_switch_opens() {
+    let closed = AxisConfig { normally_closed: vec![Switch::Home, Switch::PositiveLimit], ..small() };
+    let mut device = device(closed);
+    assert_eq!(device.read_pin("HOME"), Ok(PinValue::Level(true)));
+    // This pin rests at 1 without a switch.
+    assert_eq!(device.read_pin("STOP_R"), Ok(PinValue::Level(false)));
+    order(&mut device, Order::Watch(1 << HOME));
+    let mut reports = go(&mut device, -250);
+    reports.retain(|(pin, ..)| *pin == HOME);
+    assert_eq!(reports, [(HOME, false, -100), (HOME, true, -201)]);
+}
+
+#[test]
+fn an_axis_goes_round() {
+    let round = AxisConfig { circumference: Some(1000), home: [-10, 10], index_every: 500, ..small() };
+    let mut device = device(round);
+    order(&mut device, Order::Watch(1 << HOME | 1 << STOP_R | 1 << STOP_L));
+    let mut reports = go(&mut device, 2500);
+    reports.retain(|(pin, ..)| *pin != INDEX);
+    let turn = |turn: i64| [(HOME, true, 1000 * turn - 10), (HOME, false, 1000 * turn + 11)];
+    assert_eq!(reports[0], (HOME, false, 11));
+    assert_eq!(reports[1..], [turn(1), turn(2)].concat());
+}
+
+#[test]
+fn an_axis_is_a_cam() {
+    let cam = |on, normally_closed| Cam { pin: "PORT".into(), on, normally_closed };
+    for normally_closed in [false, true] {
+        let mut device = device(AxisConfig {
+            cams: vec![cam([300, 400], normally_closed)],
+            ..AxisConfig::of_model("test")
+        });
+        assert_eq!(device.read_pin("PORT"), Ok(PinValue::Level(normally_closed)));
+        order(&mut device, Order::Watch(1 << PORT));
+        let mut reports = go(&mut device, 500);
+        reports.retain(|(pin, ..)| *pin == PORT);
+        assert_eq!(reports, [(PORT, !normally_closed, 300), (PORT, normally_closed, 401)]);
+    }
+}
+
+#[test]
+fn an_encoder_at_the_motor_does_not_see_the_play() {
+    for (encoder_at, counts) in [(EncoderPlace::Motor, -30), (EncoderPlace::Load, -20)] {
+        let mut device = device(AxisConfig { backlash: 10, encoder_at, ..small() });
+        go(&mut device, -30);
+        assert_eq!(device.axis(0).encoder, counts, "{encoder_at:?}");
+    }
+}
+
+/// At 10,000 full steps a second it stalls where the load is more than half.
+#[test]
+fn a_stalled_motor_is_late_at_its_switches() {
+    let curve = vec![[0.0, 1.0], [20_000.0, 0.0]];
+    let switches = |load| {
+        let axis = AxisConfig { pull_out: curve.clone(), load, ..small() };
+        let mut device = device(axis);
+        order(&mut device, Order::Watch(1 << STOP_R));
+        let mut reports = go(&mut device, 1100);
+        reports.retain(|(pin, ..)| *pin == STOP_R);
+        (reports, device.shaft("0").unwrap())
+    };
+    assert_eq!(switches(0.49), (vec![(STOP_R, false, 1000)], 1100));
+    assert_eq!(switches(0.51), (vec![], 1), "the first pulse has none before it");
 }

@@ -7,11 +7,13 @@ use motion::Ticks;
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
     pub mover: Mover,
+    /// Whether it is seen off while it is on.
+    pub normally_closed: bool,
     /// What it is beside where its axis is now; most contacts are nothing beside.
     memory: Option<Box<Memory>>,
 }
 
-/// What closes a contact.
+/// What turns a contact on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Mover {
     /// A shaft in a zone.
@@ -20,24 +22,33 @@ pub(crate) enum Mover {
     InPosition { axis: usize },
 }
 
-/// A contact that bounces.
-#[derive(Clone, Debug)]
+/// A contact that depends on what it was.
+#[derive(Clone, Debug, Default)]
 struct Memory {
     on: bool,
-    bounce: Bounce,
+    /// How far past its zone it stays on.
+    hysteresis: i64,
+    bounce: Option<Bounce>,
 }
 
 impl Contact {
     pub const fn new(mover: Mover) -> Self {
-        Self { mover, memory: None }
+        Self { mover, normally_closed: false, memory: None }
     }
 
-    /// Where along its axis it is on; `None` for a signal.
+    /// A switch that a shaft turns on in a zone, and off so far past it.
+    pub fn switch(axis: usize, zone: Zone, hysteresis: i64, normally_closed: bool) -> Self {
+        let on = zone.is_on(0);
+        let memory = (hysteresis > 0).then(|| Box::new(Memory { on, hysteresis, bounce: None }));
+        Self { mover: Mover::Shaft { axis, side: Side::Load, zone }, normally_closed, memory }
+    }
+
+    /// Where along its axis it is on, as long as it stays as it is; `None` for a signal.
     pub fn zone(&self) -> Option<(usize, Side, Zone)> {
-        match self.mover {
-            Mover::Shaft { axis, side, zone } => Some((axis, side, zone)),
-            Mover::InPosition { .. } => None,
-        }
+        let Mover::Shaft { axis, side, zone } = self.mover else { return None };
+        let hysteresis =
+            self.memory.as_ref().filter(|memory| memory.on).map_or(0, |memory| memory.hysteresis);
+        Some((axis, side, zone.widened(hysteresis)))
     }
 
     /// Whether it has to be told of every change: what is on it depends on when that was.
@@ -47,7 +58,9 @@ impl Contact {
 
     /// Lets it bounce from its next change on, or no longer. It is on or off now.
     pub fn set_bounce(&mut self, bounce: Option<Bounce>, on: bool) {
-        self.memory = bounce.map(|bounce| Box::new(Memory { on, bounce }));
+        let hysteresis = self.memory.as_ref().map_or(0, |memory| memory.hysteresis);
+        let remembers = hysteresis > 0 || bounce.is_some();
+        self.memory = remembers.then(|| Box::new(Memory { on, hysteresis, bounce }));
     }
 
     /// Its mover is on or off now.
@@ -56,22 +69,27 @@ impl Contact {
             && memory.on != on
         {
             memory.on = on;
-            memory.bounce.begin(now);
+            if let Some(bounce) = &mut memory.bounce {
+                bounce.begin(now);
+            }
         }
     }
 
     /// What is seen of it while its mover is on or off.
     pub fn shown(&self, on: bool) -> bool {
-        self.memory.as_ref().is_some_and(|memory| memory.bounce.is_apart()) != on
+        let bounce = self.memory.as_ref().and_then(|memory| memory.bounce.as_ref());
+        on ^ self.normally_closed ^ bounce.is_some_and(Bounce::is_apart)
     }
 
     /// When it opens or closes without its mover; [`Ticks::MAX`] if it does not.
     pub fn due(&self) -> Ticks {
-        self.memory.as_ref().map_or(Ticks::MAX, |memory| memory.bounce.next())
+        let bounce = self.memory.as_ref().and_then(|memory| memory.bounce.as_ref());
+        bounce.map_or(Ticks::MAX, Bounce::next)
     }
 
     /// Whether it has opened or closed by `now`, since it was asked last.
     pub fn settle(&mut self, now: Ticks) -> bool {
-        self.memory.as_mut().is_some_and(|memory| memory.bounce.take(now))
+        let bounce = self.memory.as_mut().and_then(|memory| memory.bounce.as_mut());
+        bounce.is_some_and(|bounce| bounce.take(now))
     }
 }

@@ -5,7 +5,7 @@ use super::{
     shaft::{Edge, Shaft, Side},
     zone::{NEVER, Zone},
 };
-use crate::config::AxisConfig;
+use crate::config::{AxisConfig, EncoderPlace};
 
 /// Positions in a revolution: 200 full steps of 256.
 pub(crate) const TURN: i64 = 200 * 256;
@@ -44,7 +44,10 @@ impl Counter {
                 }
             }
             Encoder::External => Self {
-                side: Side::Load,
+                side: match axis.encoder_at {
+                    EncoderPlace::Motor => Side::Motor,
+                    EncoderPlace::Load => Side::Load,
+                },
                 numerator: ratio,
                 denominator: 1 << FRACTION_BITS,
                 mark: Zone::marks(axis.index_every),

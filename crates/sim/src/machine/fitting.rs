@@ -16,15 +16,23 @@ pub(crate) struct Fitting {
     model: &'static str,
     /// The switches stand this many pulses to either side.
     pub limit: i64,
+    /// Into how many positions its own driver divides a full step, if it has one.
+    pub full_step: Option<u32>,
     /// The encoders of each axis, in the order of their channels.
     pub encoders: &'static [Encoder],
 }
 
-const GENERAL: Fitting = Fitting { model: "", limit: 1_000_000, encoders: &[Encoder::External] };
+const GENERAL: Fitting =
+    Fitting { model: "", limit: 1_000_000, full_step: None, encoders: &[Encoder::External] };
 
 const FITTINGS: &[Fitting] = &[
     // SensOstep has 1,024 positions a revolution (manual 6.2); an ABN encoder may be added (6.3).
-    Fitting { model: "pd42-1140", limit: 10_000_000, encoders: &[Encoder::BuiltIn(1024), Encoder::External] },
+    Fitting {
+        model: "pd42-1140",
+        limit: 10_000_000,
+        full_step: Some(256),
+        encoders: &[Encoder::BuiltIn(1024), Encoder::External],
+    },
 ];
 
 /// The fitting of a model, by its name.

@@ -9,15 +9,19 @@ mod encoder;
 pub(crate) mod fitting;
 mod servo;
 mod shaft;
+mod stall;
+#[cfg(test)]
+mod stall_tests;
 mod table;
+mod torque;
+mod wiring;
 mod zone;
 
 use crate::config::DeviceConfig;
 use bounce::Bounce;
-#[allow(unused_imports)] // for faults
 pub(crate) use bounce::MAX_BOUNCE_MS;
 use contact::{Contact, Mover};
-use devices::{Drive, Pin, PinKind, Wiring};
+use devices::{Drive, Pin, Wiring};
 use encoder::Counter;
 use fitting::fitting;
 use motion::{Ticks, Train};
@@ -25,7 +29,9 @@ use rand_pcg::Pcg32;
 use servo::Servo;
 pub(crate) use shaft::Edge;
 use shaft::{FULL_TORQUE, Shaft, Side};
+use stall::Field;
 pub use table::{EncoderRow, MachineTable, PinRow, ZoneRow};
+use torque::Torque;
 use zone::{NEVER, Zone};
 
 /// The machine of one device.
@@ -45,6 +51,10 @@ pub(crate) struct Machine {
     pins: &'static [Pin],
     clock_hz: u32,
     seed: u64,
+    /// What the motors' torques were found at.
+    supply_v: f64,
+    /// How long the switches of each axis bounce by themselves.
+    bounces_ms: Vec<u32>,
 }
 
 impl Machine {
@@ -53,7 +63,9 @@ impl Machine {
         let configs: Vec<_> = axes.iter().map(|axis| config.axis(axis)).collect();
         let fitting = fitting(config.model.name);
         let shafts = configs.iter().map(|axis| {
-            let mut shaft = Shaft::new(axis.backlash, axis.hard_stops);
+            let torque = Torque::new(&axis.pull_out, axis.friction, axis.microsteps, clock_hz);
+            let field = torque.map(|torque| Field::new(torque, axis.microsteps));
+            let mut shaft = Shaft::new(axis.backlash, axis.hard_stops).with_field(field);
             shaft.set_load(permille(axis.load));
             shaft
         });
@@ -66,55 +78,31 @@ impl Machine {
             .collect();
         let servo = |ms: u32| Servo::new(Ticks::from(clock_hz) * Ticks::from(ms) / 1000);
         let servos: Vec<_> = configs.iter().map(|axis| axis.in_position_ms.map(servo)).collect();
-        let contacts = pins
-            .iter()
-            .map(|pin| {
-                let shaft = |axis, side, zone| Some(Contact::new(Mover::Shaft { axis, side, zone }));
-                let on_load = |axis: usize, zone| shaft(axis, Side::Load, zone);
-                match (pin.wiring, pin.kind) {
-                    (Wiring::NegativeLimit(axis), _) => {
-                        on_load(axis, Zone::up_to(configs[axis].negative_limit))
-                    }
-                    (Wiring::PositiveLimit(axis), _) => {
-                        on_load(axis, Zone::from(configs[axis].positive_limit))
-                    }
-                    (Wiring::Home(axis), _) => on_load(axis, Zone::between(configs[axis].home)),
-                    (Wiring::Slowdown(axis), _) => {
-                        let zones = configs[axis].slowdown;
-                        zones[0].and_then(|first| on_load(axis, Zone::between_two(first, zones[1])))
-                    }
-                    (Wiring::InPosition(axis), _) => {
-                        servos[axis].as_ref().map(|_| Contact::new(Mover::InPosition { axis }))
-                    }
-                    (Wiring::Index(_), PinKind::Index(channel)) => {
-                        let (axis, counter) = &encoders[channel];
-                        let (side, zone) = counter.mark();
-                        shaft(*axis, side, zone)
-                    }
-                    (Wiring::Index(axis), _) => on_load(axis, Zone::marks(configs[axis].index_every)),
-                    _ => None,
-                }
-            })
-            .collect();
-        let quantities = pins
-            .iter()
-            .map(|pin| match pin.wiring {
-                Wiring::Supply => in_board_units(config.supply_v, pin),
-                Wiring::Temperature => in_board_units(config.temperature_c, pin),
-                _ => pin.rest,
-            })
-            .collect();
-        Self {
+        let contacts = wiring::contacts(pins, &configs, &encoders);
+        let quantity = |pin: &Pin| match pin.wiring {
+            Wiring::Supply => in_board_units(config.supply_v, pin),
+            Wiring::Temperature => in_board_units(config.temperature_c, pin),
+            // From one end of the range to the other, with the middle where it rests.
+            Wiring::Joystick(axis) => {
+                pin.rest + (f64::from(pin.rest) * configs[axis].joystick).round() as i32
+            }
+            _ => pin.rest,
+        };
+        let mut machine = Self {
             axes: shafts.collect(),
             encoders,
             servos,
             contacts,
             remembering: Vec::new(),
-            quantities,
+            quantities: pins.iter().map(quantity).collect(),
             pins,
             clock_hz,
             seed,
-        }
+            supply_v: config.supply_v,
+            bounces_ms: configs.iter().map(|axis| axis.bounce_ms).collect(),
+        };
+        (0..pins.len()).for_each(|pin| machine.set_bounce(pin, 0, 0));
+        machine
     }
 
     /// Odometers start from 0, and driver stages as if nobody had told them anything.
@@ -167,21 +155,23 @@ impl Machine {
         self.contacts[pin].as_ref().is_some_and(Contact::remembers)
     }
 
-    /// Lets the switch at a pin bounce for so long after each change, from the next one on; 0 ends that.
-    /// Where there is no switch nothing bounces.
-    #[allow(dead_code)] // for faults
+    /// Lets the switch at a pin bounce for so long after each change, from the next one on; for as long as it
+    /// does by itself if that is longer. Where there is no switch nothing bounces.
     pub fn set_bounce(&mut self, pin: usize, ms: u32, now: Ticks) {
+        let axis = wiring::axis_of_switch(&self.pins[pin], self.contacts[pin].as_ref());
+        let ms = ms.max(axis.map_or(0, |axis| self.bounces_ms[axis]));
         let span = Ticks::from(self.clock_hz) * Ticks::from(ms.min(MAX_BOUNCE_MS)) / 1000;
         let bounce = (ms > 0).then(|| Bounce::new(span, Pcg32::new(self.seed, pin as u64)));
         if let (Some(on), Some(contact)) = (self.is_moved(pin, now), &mut self.contacts[pin]) {
             contact.set_bounce(bounce, on);
         }
-        let remembers = |pin: &usize| self.contacts[*pin].as_ref().is_some_and(Contact::remembers);
-        self.remembering = (0..self.contacts.len()).filter(remembers).collect();
+        self.remembering.retain(|other| *other != pin);
+        if self.remembers(pin) {
+            self.remembering.push(pin);
+        }
     }
 
     /// The counter of an encoder no longer sees its shaft turn, or does again from where it stands.
-    #[allow(dead_code)] // for faults
     pub fn set_encoder_broken(&mut self, channel: usize, broken: bool) {
         let (axis, counter) = &mut self.encoders[channel];
         counter.set_broken(broken, &self.axes[*axis]);
@@ -189,12 +179,14 @@ impl Machine {
 
     /// The motor supply has so many volts. The pins that measure it have changed: those whose `quantity` is
     /// another now.
-    #[allow(dead_code)] // for faults
     pub fn set_supply(&mut self, volts: f64) {
         for (pin, quantity) in self.pins.iter().zip(&mut self.quantities) {
             if pin.wiring == Wiring::Supply {
                 *quantity = in_board_units(volts, pin);
             }
+        }
+        if self.supply_v > 0.0 {
+            self.axes.iter_mut().for_each(|shaft| shaft.set_supply(volts / self.supply_v));
         }
     }
 
@@ -325,9 +317,10 @@ impl Machine {
 
     /// Whether what moves the contact at a pin holds it on; `None` if there is none.
     fn is_moved(&self, pin: usize, now: Ticks) -> Option<bool> {
-        Some(match self.contacts[pin].as_ref()?.mover {
-            Mover::Shaft { axis, side, zone } => zone.is_on(self.axes[axis].position(side)),
-            Mover::InPosition { axis } => self.is_in_position(axis, now),
+        let contact = self.contacts[pin].as_ref()?;
+        Some(match (contact.zone(), contact.mover) {
+            (Some((axis, side, zone)), _) => zone.is_on(self.axes[axis].position(side)),
+            (None, Mover::Shaft { axis, .. } | Mover::InPosition { axis }) => self.is_in_position(axis, now),
         })
     }
 

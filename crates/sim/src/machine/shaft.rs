@@ -1,17 +1,22 @@
 //! One axis' motor and what it drives.
 
-use super::zone::NEVER;
+use super::{
+    stall::{Field, spacing},
+    torque::FULL_CURRENT,
+    zone::NEVER,
+};
 use devices::Drive;
 use motion::Train;
 
 /// Load and torque are parts in a thousand of the pull-out torque at full current.
 pub(crate) const FULL_TORQUE: u32 = 1000;
 
-/// Largest coil current of a [`Drive`].
-const FULL_CURRENT: u32 = 32;
+/// A window of pulses that may be lost reaches so many times less far than the nearest edge: an axis that loses
+/// some one way, and comes back, has gone up to twice as far as its window is long.
+const SURE_PART: i64 = 4;
 
 /// A driver stage that no controller has told anything yet.
-const UNTOLD: Drive = Drive { step: 1, parts: 1, current: FULL_CURRENT as u8 };
+const UNTOLD: Drive = Drive { step: 1, parts: 1, current: FULL_CURRENT };
 
 /// Which of two positions is meant: they differ by the play between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,6 +53,8 @@ pub(crate) struct Shaft {
     losing: u64,
     odometer: i64,
     pushing: i64,
+    /// The field of a motor whose torque is known at each speed.
+    field: Option<Box<Field>>,
 }
 
 impl Shaft {
@@ -63,14 +70,25 @@ impl Shaft {
             losing: 0,
             odometer: 0,
             pushing: 0,
+            field: None,
         }
+    }
+
+    /// The same with a motor whose torque depends on its speed.
+    pub fn with_field(mut self, field: Option<Field>) -> Self {
+        self.field = field.map(Box::new);
+        self.set_field();
+        self
     }
 
     /// The controller was switched off and on: it counts from 0 again, the shaft stays where it is.
     pub fn power_up(&mut self) {
         self.odometer = 0;
         self.pushing = 0;
-        self.drive = UNTOLD;
+        if let Some(field) = &mut self.field {
+            field.power_up();
+        }
+        self.set_drive(UNTOLD);
     }
 
     pub fn position(&self, side: Side) -> i64 {
@@ -92,21 +110,49 @@ impl Shaft {
     /// The driver stage changes.
     pub fn set_drive(&mut self, drive: Drive) {
         self.drive = drive;
+        self.set_field();
     }
 
     pub fn set_load(&mut self, permille: u32) {
         self.load_permille = permille;
+        self.set_field();
     }
 
-    /// The load as the driver stage can measure it: full against a stop.
+    /// The supply is this part of that at which the torque was found.
+    pub fn set_supply(&mut self, part: f64) {
+        if let Some(field) = &mut self.field {
+            field.set_supply(part);
+        }
+        self.set_field();
+    }
+
+    fn set_field(&mut self) {
+        let (load, drive) = (self.load_part(), self.drive);
+        if let Some(field) = &mut self.field {
+            field.set(load, drive);
+        }
+    }
+
+    fn load_part(&self) -> f64 {
+        f64::from(self.load_permille) / f64::from(FULL_TORQUE)
+    }
+
+    /// The load as the driver stage can measure it: full against a stop, and in parts of the torque that there
+    /// is at the present speed.
     pub fn load_permille(&self) -> u32 {
-        if self.pushing != 0 { self.load_permille.max(FULL_TORQUE) } else { self.load_permille }
+        let load = match &self.field {
+            None => self.load_permille,
+            Some(field) => {
+                (field.share(self.load_part(), self.drive) * f64::from(FULL_TORQUE)).round() as u32
+            }
+        };
+        if self.pushing != 0 { load.max(FULL_TORQUE) } else { load }
     }
 
     /// Whether pulses move the shaft.
-    pub fn follows(&self) -> bool {
-        let current = u32::from(self.drive.current).min(FULL_CURRENT);
-        let torque = FULL_TORQUE * current / FULL_CURRENT;
+    fn follows(&self) -> bool {
+        let current = u32::from(self.drive.current.min(FULL_CURRENT));
+        let torque = FULL_TORQUE * current / u32::from(FULL_CURRENT);
         current > 0 && self.load_permille <= torque
     }
 
@@ -119,11 +165,47 @@ impl Shaft {
     pub fn follow(&mut self, train: &Train) {
         let sign = train.direction.sign();
         self.odometer += sign * i64::from(train.count);
-        if self.follows() {
+        if let Some(mut field) = self.field.take() {
+            self.follow_field(&mut field, train, sign * i64::from(self.drive.step));
+            field.pass(train);
+            self.field = Some(field);
+        } else if self.follows() {
             let lost = self.losing.min(train.count.into());
             self.losing -= lost;
             let pulses = i64::from(train.count) - lost as i64;
             self.turn(sign * pulses * i64::from(self.drive.step));
+        }
+    }
+
+    /// The field turns so far with each pulse of a train, and the rotor follows where it can.
+    fn follow_field(&mut self, field: &mut Field, train: &Train, step: i64) {
+        self.pulse(field, field.is_followed(field.first_interval(train)), step);
+        let others = i64::from(train.count - 1);
+        let [low, high] = self.stops;
+        let way = self.motor.saturating_add(others * step);
+        let is_free = self.losing == 0 && field.ahead == 0 && low - self.backlash <= way && way <= high;
+        if is_free && field.is_followed_throughout(train) {
+            self.turn(others * step);
+        } else if field.is_lost_throughout(train) {
+            field.turn(others * step);
+        } else {
+            for k in 2..=train.count {
+                self.pulse(field, field.is_followed(spacing(train, k)), step);
+            }
+        }
+    }
+
+    /// One pulse that turns the field so far.
+    fn pulse(&mut self, field: &mut Field, is_followed: bool, step: i64) {
+        if is_followed && self.losing > 0 {
+            self.losing -= 1;
+            return;
+        }
+        field.turn(step);
+        if is_followed {
+            let wanted = self.motor.saturating_add(field.ahead);
+            self.turn(field.ahead);
+            field.ahead = wanted - self.motor;
         }
     }
 
@@ -141,7 +223,12 @@ impl Shaft {
     /// What a pulse does changes at a stop, so a window ends there too.
     pub fn window(&self, edges: &[Edge]) -> (i64, i64) {
         let step = i64::from(self.drive.step);
-        if !self.follows() || step == 0 {
+        if let Some(field) = &self.field
+            && self.losing == 0
+        {
+            return self.careful_window(edges, field.jump());
+        }
+        if self.field.is_none() && !self.follows() || step == 0 {
             return (-NEVER, NEVER);
         }
         // Each pulse that is lost moves the edges, whatever its direction.
@@ -162,6 +249,21 @@ impl Shaft {
         let up = pulses(high - self.motor, step.abs());
         let (down, up) = if step > 0 { (down, up) } else { (up, down) };
         (self.odometer - down, self.odometer + up)
+    }
+    /// The same where any pulse may be lost, also on the way back, and the rotor may jump: only a part of the
+    /// way to the nearest edge is sure.
+    fn careful_window(&self, edges: &[Edge], jump: i64) -> (i64, i64) {
+        let distances = edges.iter().map(|edge| {
+            let play = if edge.side == Side::Load { self.backlash } else { 0 };
+            (self.motor - edge.below + play).min(edge.above - self.motor)
+        });
+        let nearest = distances.min().unwrap_or(NEVER);
+        if nearest >= NEVER / 2 {
+            return (-NEVER, NEVER);
+        }
+        let step = i64::from(self.drive.step).abs().max(1);
+        let pulses = ((nearest - jump) / (SURE_PART * step)).max(1);
+        (self.odometer - pulses, self.odometer + pulses)
     }
 }
 

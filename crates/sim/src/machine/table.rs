@@ -81,7 +81,11 @@ impl MachineTable {
             name: pin.name,
             analog: pin.kind.is_analog(),
             scale: pin.scale,
-            rest: if pin.kind.is_analog() { machine.quantity(number) } else { pin.rest },
+            rest: match &machine.contacts[number] {
+                _ if pin.kind.is_analog() => machine.quantity(number),
+                Some(contact) if contact.normally_closed => 1 - pin.rest,
+                _ => pin.rest,
+            },
             zone: zone(number),
         };
         let encoder = |(axis, counter): &(usize, super::Counter)| {

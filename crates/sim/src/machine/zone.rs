@@ -48,6 +48,32 @@ impl Zone {
         Self::between([first, NEVER])
     }
 
+    /// On nowhere.
+    pub const fn nowhere() -> Self {
+        Self::between([NEVER, NEVER])
+    }
+
+    /// This interval again at every multiple of `every`.
+    pub const fn every(self, every: i64) -> Self {
+        Self::repeated(self.first, self.last, every)
+    }
+
+    /// On so far beyond either end too. Intervals that meet are one.
+    pub const fn widened(self, by: i64) -> Self {
+        if by == 0 {
+            return self;
+        }
+        let [low, high] = [self.first - by, self.last + by];
+        match self.more {
+            More::None => Self::between([low, high]),
+            More::Every(every) => Self::repeated(low, high, every),
+            More::And { first, last } if high + 1 < first - by => {
+                Self::between_two([low, high], Some([first - by, last + by]))
+            }
+            More::And { last, .. } => Self::between([low, last + by]),
+        }
+    }
+
     /// On at 0 and every multiple of `every`.
     pub const fn marks(every: i64) -> Self {
         Self::repeated(0, 0, every)
@@ -159,6 +185,20 @@ mod tests {
         check(Zone::repeated(0, 0, 10));
         check(Zone::repeated(-3, 2, 13));
         check(Zone::repeated(0, 0, 2));
+    }
+
+    #[test]
+    fn zones_are_widened() {
+        check(Zone::between([-7, 3]).widened(4));
+        check(Zone::between_two([-9, -5], Some([2, 2])).widened(2));
+        check(Zone::up_to(-2).widened(5));
+        check(Zone::from(4).widened(5));
+        check(Zone::repeated(-3, 2, 13).widened(2));
+        check(Zone::repeated(-3, 2, 13).widened(20));
+        check(Zone::nowhere());
+        assert_eq!(Zone::between([-7, 3]).widened(4), Zone::between([-11, 7]));
+        assert_eq!(Zone::between_two([0, 5], Some([10, 15])).widened(2), Zone::between([-2, 17]));
+        assert_eq!(Zone::up_to(-2).widened(5).above(0), 4);
     }
 
     #[test]
