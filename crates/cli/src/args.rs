@@ -23,6 +23,12 @@ pub enum Command {
     Run(RunArgs),
     /// Play again what `run` or `serve` took down on a tape (.ptr), and print all that happens
     Replay(ReplayArgs),
+    /// What bench files may say
+    Bench {
+        /// What to do
+        #[command(subcommand)]
+        command: BenchCommand,
+    },
     /// Assemble a TMCL program
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
@@ -39,6 +45,18 @@ pub enum Command {
     Completions {
         /// The shell
         shell: clap_complete::Shell,
+    },
+}
+
+/// What to do with bench files.
+#[derive(Subcommand)]
+pub enum BenchCommand {
+    /// Print the JSON Schema of bench files, for editors
+    Schema,
+    /// Look for mistakes in a bench file, and print its devices
+    Check {
+        /// The bench file
+        file: PathBuf,
     },
 }
 

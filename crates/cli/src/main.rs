@@ -4,6 +4,7 @@
 //! arguments or of a file is one line there, `error: ...`, and status 1.
 
 mod args;
+mod bench;
 mod programs;
 mod replay;
 mod run;
@@ -53,6 +54,7 @@ fn execute(command: Command) -> Outcome {
         Command::Serve(args) => serve::serve(args),
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay(&args),
+        Command::Bench { command } => bench::bench(&command),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Compile(args) => programs::compile_file(&args),

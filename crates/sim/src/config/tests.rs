@@ -327,6 +327,9 @@ fn the_examples_can_be_read() {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(directory).unwrap() {
         let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
         Bench::read(&path).unwrap_or_else(|error| panic!("{error}"));
         names.push(path);
     }
