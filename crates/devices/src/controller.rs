@@ -163,7 +163,8 @@ pub trait Controller {
     /// Gives the clock that was reached. It is earlier than `now` when an axis has arrived at the edge of
     /// its [`window`](Self::set_window), or when a driver stage or what the controller
     /// [`watches`](Self::watches) has changed, so that windows are others: the caller looks after the
-    /// inputs, sets the next windows and calls again.
+    /// inputs, sets the next windows and calls again. It is earlier, too, when a program has ended, for callers
+    /// that wait for that.
     fn advance(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks;
 
     /// The clock at which something will happen by itself, for callers that sleep until then;

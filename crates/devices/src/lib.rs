@@ -15,6 +15,8 @@ pub mod models;
 pub mod parameter;
 pub mod pd42;
 pub mod pmx2ed;
+#[cfg(feature = "std")]
+mod rounds;
 pub mod settings;
 #[cfg(test)]
 mod sizes;

@@ -30,9 +30,9 @@ impl Flash for Silent {
 }
 
 /// Bytes on a host with 64 bits; a chip with 32 takes a little less.
-const PD42_BYTES: usize = 20_200;
-const PMX2ED_BYTES: usize = 23_200;
-const CMD4CR_BYTES: usize = 46_300;
+const PD42_BYTES: usize = 20_400;
+const PMX2ED_BYTES: usize = 23_500;
+const CMD4CR_BYTES: usize = 46_600;
 const AXIS_BYTES: usize = 2_400;
 const PATH_BYTES: usize = 1_300;
 

@@ -193,9 +193,10 @@ pub fn run(
             progress(Progress { device_seconds: seconds(device, start), for_seconds: options.for_seconds });
             report_at = device.now() + hz / PROGRESS_PER_SECOND;
         }
-        // The next event, but no later than the next report, so that a device with nothing to do is
-        // heard of too.
-        device.advance(device.wake().min(report_at).min(end).max(device.now()));
+        // No later than the next report, so that a device with nothing to do is heard of too; when all programs have
+        // ended, to the next moment at which the axes may have come to rest.
+        let look_at = if ended_at.is_some() { device.wake() } else { Ticks::MAX };
+        device.advance_some(look_at.min(report_at).min(end));
     };
     let axes = device.state().axes.into_iter().map(|(name, axis)| (name, axis.into())).collect();
     Ok(RunResult {

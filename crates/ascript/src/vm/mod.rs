@@ -15,9 +15,13 @@
 
 mod memory;
 mod run;
+#[cfg(feature = "std")]
+mod situation;
 mod thread;
 
 pub use memory::Memory;
+#[cfg(feature = "std")]
+pub use situation::Situation;
 pub use thread::Thread;
 
 use crate::isa::{AXES, Direction, Place, Word};

@@ -4,8 +4,9 @@
 use super::parse::MAX_AXES;
 use super::threads::Threads;
 use crate::board::Board;
-use ascript::isa::Place;
-use ascript::vm::{Action, Exit};
+use crate::controller::Controller;
+use ascript::isa::{Place, Word};
+use ascript::vm::{Action, Exit, State};
 use motion::{Axis, Ticks};
 
 /// A device as its clock sees it.
@@ -36,9 +37,12 @@ pub trait Clocked {
 }
 
 /// A device with programs in so many threads.
-pub trait Programmed<const N: usize>: Clocked {
+pub trait Programmed<const N: usize>: Clocked + Controller {
     /// Its threads.
     fn threads(&mut self) -> &mut Threads<N>;
+
+    /// What was put out last: digital outputs, configurable ones, motor power.
+    fn put_out_last(&self) -> [u32; 3];
 
     /// The thread whose next line is due first, and when.
     fn next_program(&self) -> Option<(Ticks, usize)>;
@@ -58,24 +62,56 @@ pub trait Programmed<const N: usize>: Clocked {
     /// An error of a thread.
     fn fail(&mut self, number: usize);
 
+    /// Until when a register that is not an input or output holds its value if nothing happens, while axes move; now
+    /// if that is not known.
+    fn holds_until(&mut self, place: Place) -> Ticks {
+        let axis = place.axis().filter(|_| place.word == Word::Mst);
+        axis.map_or(self.now(), |axis| self.poll_status(axis.into()))
+    }
+
+    /// A program looks at the status of an axis: its inputs matter then. Until when the status stays as it is if
+    /// nothing happens; now if that is not known.
+    fn poll_status(&mut self, axis: usize) -> Ticks;
+
+    /// Whether this starts a program that runs, which changes nothing.
+    fn is_started(&mut self, action: &Action) -> bool {
+        let number = usize::from(action.index);
+        action.word == Word::Sr
+            && action.arguments[0] == 1
+            && number < N
+            && self.threads().state(number) == State::Running
+    }
+
     /// Runs a thread until `horizon`, before which nothing else happens, or until it has done something
     /// after which the horizon may be another. Time stands at its next line.
     fn run_program(&mut self, number: usize, horizon: Ticks, board: &mut dyn Board) {
         let (clock, exit) = self.run_thread(number, horizon);
         match exit {
-            Exit::Budget | Exit::Idle | Exit::Stopped => {}
+            Exit::Budget | Exit::Idle => {}
+            Exit::Stopped => self.step_to(clock, board),
             Exit::Read(place) => {
                 self.step_to(clock, board);
                 let value = self.read_register(place, board);
                 self.threads().complete(number, value);
+                if self.is_moving() && !is_input_or_output(place) {
+                    let until = self.holds_until(place);
+                    self.threads().limit_rounds(until);
+                }
             }
             Exit::Write(place, value) => {
                 self.step_to(clock, board);
+                let before = self.put_out_last();
                 self.write_register(place, value, board);
                 self.threads().done(number);
+                if !is_input_or_output(place) || self.put_out_last() != before {
+                    self.threads().forget_rounds();
+                }
                 self.react(board);
             }
             Exit::Do(action) => {
+                if !self.is_started(&action) {
+                    self.threads().forget_rounds();
+                }
                 self.step_to(clock, board);
                 self.perform(number, action, board);
                 self.react(board);
@@ -91,24 +127,34 @@ pub trait Programmed<const N: usize>: Clocked {
         self.due().min(program)
     }
 
-    /// Lets time pass until `now`, or until a window ends or may be another; the clock that was reached.
+    /// Lets time pass until `now`, or until a window ends or may be another, or a program ends; the clock that was
+    /// reached.
     /// A device whose supply goes meanwhile stays where it is.
     fn pass(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
         let outside = self.outside();
+        self.threads().forget_rounds();
+        let active = self.threads().active();
         loop {
-            let horizon = self.due().min(now);
-            let axes = self.axes();
+            let due = self.due();
+            let horizon = due.min(now);
+            let axes = Clocked::axes(self);
             let before: heapless::Vec<_, MAX_AXES> = axes.iter().map(Axis::odometer).collect();
-            match self.next_program().filter(|&(clock, _)| clock <= horizon) {
+            let next = self.next_program().filter(|&(clock, _)| clock <= horizon);
+            if next.is_none_or(|(clock, _)| clock >= due) {
+                self.threads().forget_rounds();
+            }
+            match next {
                 Some((clock, thread)) => {
                     self.step_to(clock, board);
-                    if !at_window(self.axes(), &before) {
+                    if !at_window(Clocked::axes(self), &before) {
                         self.run_program(thread, horizon, board);
                     }
                 }
                 None => self.step_to(horizon, board),
             }
-            if self.is_dead() || at_window(self.axes(), &before) || self.outside() != outside {
+            let ended = self.threads().active() < active;
+            if self.is_dead() || ended || at_window(Clocked::axes(self), &before) || self.outside() != outside
+            {
                 return self.now();
             }
             let idle = self.next_program().is_none_or(|(clock, _)| clock > now);
@@ -117,6 +163,12 @@ pub trait Programmed<const N: usize>: Clocked {
             }
         }
     }
+}
+
+/// Whether a register shows inputs or outputs, which stay as they are between two things that happen.
+const fn is_input_or_output(place: Place) -> bool {
+    use Word::{Di, DiBit, Do, DoBit, Eo, EoBit, Io, IoBit};
+    matches!(place.word, Di | DiBit | Do | DoBit | Eo | EoBit | Io | IoBit)
 }
 
 /// Whether an axis has arrived at an edge of its window since its odometer was this.

@@ -66,6 +66,8 @@ pub struct Station {
     pub joystick: Joystick,
     /// The program that set it in motion, for its errors.
     pub program: Option<usize>,
+    /// A program looks at its status while it moves.
+    pub polled: bool,
 }
 
 /// Places of a limit: plus comes first in pins, status bits and errors.
@@ -89,6 +91,7 @@ impl Station {
             closed: StepNLoop::new(),
             joystick: Joystick::new(),
             program: None,
+            polled: false,
         }
     }
 

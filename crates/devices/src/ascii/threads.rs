@@ -4,6 +4,10 @@
 //! business, which then calls [`Threads::complete`], [`Threads::done`] or [`Threads::hold`].
 
 use crate::controller::{ProgramRun, ProgramState};
+#[cfg(feature = "std")]
+use crate::rounds::Rounds;
+#[cfg(feature = "std")]
+use ascript::vm::Situation;
 use ascript::vm::{Exit, Memory, State, Thread};
 use motion::Ticks;
 
@@ -78,6 +82,9 @@ impl Timed {
 pub struct Threads<const N: usize> {
     threads: [Timed; N],
     line: LineTime,
+    /// Of the thread with this number.
+    #[cfg(feature = "std")]
+    rounds: Rounds<(usize, Situation)>,
 }
 
 impl<const N: usize> Threads<N> {
@@ -87,7 +94,12 @@ impl<const N: usize> Threads<N> {
     /// Threads that do nothing.
     pub const fn new(line: LineTime) -> Self {
         let threads = [const { Timed { thread: Thread::new(), next_at: 0, hold: None, failed_at: None } }; N];
-        Self { threads, line }
+        Self {
+            threads,
+            line,
+            #[cfg(feature = "std")]
+            rounds: Rounds::new(),
+        }
     }
 
     /// Changes how long a line takes, before anything has started.
@@ -112,6 +124,11 @@ impl<const N: usize> Threads<N> {
     pub fn next(&self, now: Ticks) -> Option<(Ticks, usize)> {
         let threads = self.threads.iter().enumerate().filter(|(_, timed)| timed.goes());
         threads.map(|(number, timed)| (self.clock(timed.next_at).max(now), number)).min()
+    }
+
+    /// How many threads run, or are paused.
+    pub fn active(&self) -> usize {
+        self.threads.iter().filter(|timed| timed.is_active()).count()
     }
 
     /// When the first delay is over.
@@ -140,13 +157,52 @@ impl<const N: usize> Threads<N> {
         let timed = &mut self.threads[number];
         let (executed, exit) = timed.thread.run(memory, lines.min(MAX_BATCH) as u32);
         timed.next_at = start + Ticks::from(executed) * self.line.clocks;
+        #[cfg(feature = "std")]
+        if matches!(exit, Exit::Read(_) | Exit::Write(..) | Exit::Do(_)) {
+            self.skip_rounds(number, memory, self.parts(horizon));
+        }
+        let timed = &self.threads[number];
         let at = match exit {
             // What is read is known when the line is over; what is done happens with its begin.
-            Exit::Write(..) | Exit::Do(_) => timed.next_at - self.line.clocks,
+            Exit::Write(..) | Exit::Do(_) | Exit::Stopped => timed.next_at - self.line.clocks,
             _ => timed.next_at,
         };
         // A line that is asked for again takes no time of its own.
         (self.clock(at).max(now), exit)
+    }
+
+    /// A thread that asks what it has asked before, with everything as it was, leaves out the rounds until `horizon`.
+    #[cfg(feature = "std")]
+    fn skip_rounds<const LINES: usize, const VARIABLES: usize>(
+        &mut self,
+        number: usize,
+        memory: &Memory<LINES, VARIABLES>,
+        horizon: Ticks,
+    ) {
+        let timed = &mut self.threads[number];
+        let skipped = self.rounds.look(
+            timed.next_at,
+            timed.thread.instructions(),
+            horizon,
+            |(other, situation)| *other == number && situation.is(&timed.thread, memory),
+            || (number, Situation::of(&timed.thread, memory)),
+        );
+        if let Some(skipped) = skipped {
+            timed.next_at += skipped.time;
+            timed.thread.count(skipped.instructions);
+        }
+    }
+
+    /// Something has happened that programs do not show: rounds before it tell nothing about those to come.
+    pub fn forget_rounds(&mut self) {
+        #[cfg(feature = "std")]
+        self.rounds.forget();
+    }
+
+    /// What a thread has read stays as it is until this clock, not longer.
+    pub fn limit_rounds(&mut self, _clock: Ticks) {
+        #[cfg(feature = "std")]
+        self.rounds.limit(_clock.saturating_mul(self.line.lines));
     }
 
     /// The register that a thread reads has this value.

@@ -273,6 +273,11 @@ impl<F: Flash> Cmd4cr<F> {
         board.output_analog(pin::PWM1 + channel, if channel == 0 { 100 - percent } else { percent });
     }
 
+    /// What was put out last: digital outputs, configurable ones, motor power.
+    pub fn latches(&self) -> [u32; 3] {
+        [self.io.outputs, self.io.port_outputs, self.io.enables]
+    }
+
     /// Where outputs and motor power are at power-up.
     pub fn boot_outputs(&mut self, board: &mut dyn Board) {
         self.io.outputs = self.memory.cells.get(Id::OutputsBoot) as u32;

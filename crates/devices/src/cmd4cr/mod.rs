@@ -257,6 +257,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
         }
         for axis in 0..AXIS_COUNT {
             if !self.axes[axis].is_moving() {
+                self.stations[axis].polled = false;
                 self.run_homing(axis, board);
             }
         }

@@ -252,7 +252,7 @@ impl<F: Flash> Cmd4cr<F> {
             (_, pin::SLOWDOWN) => self.watches_slowdown(axis),
             (Task::Home(_), pin::HOME) => true,
             (Task::Home(homing), pin::INDEX) => homing.watches_index(),
-            (_, pin::HOME | pin::INDEX) => false,
+            (_, pin::HOME | pin::INDEX) => self.stations[axis].polled,
             _ => true,
         }
     }

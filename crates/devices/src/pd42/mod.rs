@@ -219,8 +219,9 @@ impl<F: Flash> Pd42<F> {
 
     /// The next clock at which something is due, the axis' and the program's business included or not.
     fn due(&self) -> Ticks {
+        let axis = if self.speed_matters() { self.axis.wake() } else { self.axis.due() };
         let deadlines = [
-            self.axis.wake(),
+            axis,
             self.tick_at,
             self.power.due(),
             self.heartbeat_due(),
@@ -277,10 +278,17 @@ impl<F: Flash> Controller for Pd42<F> {
         }
         let outside = |module: &Self| (module.power.drive, module.encoders.watches_null());
         let before = outside(self);
+        self.program.forget_rounds();
+        let active = self.program_active();
         loop {
-            let horizon = self.due().min(now);
+            let due = self.due();
+            let horizon = due.min(now);
             let was = self.axis.odometer();
-            if let Some(clock) = self.program_at().filter(|&clock| clock <= horizon) {
+            let next = self.program_at().filter(|&clock| clock <= horizon);
+            if next.is_none_or(|clock| clock >= due) {
+                self.program.forget_rounds();
+            }
+            if let Some(clock) = next {
                 self.step_to(clock, board);
                 self.run_program(horizon, board);
             } else {
@@ -289,7 +297,8 @@ impl<F: Flash> Controller for Pd42<F> {
             if self.dead {
                 return self.advance(now, board);
             }
-            if self.axis.odometer() != was && self.axis.at_window() || outside(self) != before {
+            let ended = active && !self.program_active();
+            if ended || self.axis.odometer() != was && self.axis.at_window() || outside(self) != before {
                 return self.now;
             }
             if self.now == now && self.program_at().is_none_or(|clock| clock > now) && self.due() > now {

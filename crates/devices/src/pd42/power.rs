@@ -132,6 +132,12 @@ impl<F: Flash> Pd42<F> {
         run
     }
 
+    /// Whether anything follows from how fast the motor goes.
+    pub fn speed_matters(&self) -> bool {
+        let get = |number| self.memory.axis.get(number);
+        get(ap::BOOST_CURRENT) != 0 || get(ap::COOLSTEP_SPEED) != 0 || self.motion.search.is_some()
+    }
+
     /// Whether anything acts on the load while the motor moves.
     pub fn load_matters(&self) -> bool {
         self.memory.axis.get(ap::STOP_ON_STALL) != 0 || self.memory.axis.get(ap::COOLSTEP_START) != 0

@@ -5,8 +5,12 @@ use super::{Pd42, TEN_MILLISECONDS, global_parameters::interrupts as gp};
 use crate::board::Board;
 use crate::controller::Notice;
 use crate::flash::Flash;
+#[cfg(feature = "std")]
+use crate::rounds::Rounds;
 use ::motion::Ticks;
-use tmcl::isa::{Command, WaitFor};
+use tmcl::isa::{Command, MoveKind, WaitFor, opcode};
+#[cfg(feature = "std")]
+use tmcl::vm::Situation;
 use tmcl::vm::{Exit, Outcome, Stopped, Wait};
 
 /// Commands that the virtual machine executes at most before anything else is looked at.
@@ -37,6 +41,8 @@ pub struct Program {
     roused: bool,
     timers: [Option<Ticks>; 3],
     notices: heapless::Deque<Notice, NOTICES>,
+    #[cfg(feature = "std")]
+    rounds: Rounds<Situation>,
 }
 
 impl Program {
@@ -48,6 +54,8 @@ impl Program {
             roused: false,
             timers: [None; 3],
             notices: heapless::Deque::new(),
+            #[cfg(feature = "std")]
+            rounds: Rounds::new(),
         }
     }
 
@@ -58,6 +66,12 @@ impl Program {
 
     pub fn take_notice(&mut self) -> Option<Notice> {
         self.notices.pop_front()
+    }
+
+    /// Something has happened that the program does not show: rounds before it tell nothing about those to come.
+    pub fn forget_rounds(&mut self) {
+        #[cfg(feature = "std")]
+        self.rounds.forget();
     }
 }
 
@@ -102,8 +116,17 @@ impl<F: Flash> Pd42<F> {
         self.program.next_at = at + Ticks::from(executed) * self.command_clocks;
         match exit {
             Exit::Host(command) => {
+                #[cfg(feature = "std")]
+                self.skip_rounds(horizon);
                 self.step_to(self.program.next_at, board);
+                let outputs = self.outputs;
+                if !self.is_still(command) {
+                    self.program.forget_rounds();
+                }
                 self.execute_in_program(command, board);
+                if self.outputs != outputs {
+                    self.program.forget_rounds();
+                }
                 self.program.next_at += self.command_clocks;
                 self.react(board);
             }
@@ -118,12 +141,60 @@ impl<F: Flash> Pd42<F> {
                 self.end_wait();
             }
             Exit::Skipped(fault) => self.notice(fault.address, fault.command, fault.status.0),
-            Exit::Stopped(Stopped::DirectOnly(command)) => {
-                self.program.failed = true;
-                self.notice(self.vm.counter(), command, protocol::tmcl::Status::NOT_AVAILABLE.0);
+            Exit::Stopped(stopped) => {
+                // It has ended when its last command begins.
+                let last = if stopped == Stopped::Stop { self.command_clocks } else { 0 };
+                self.step_to(self.program.next_at - last, board);
+                if let Stopped::DirectOnly(command) = stopped {
+                    self.program.failed = true;
+                    self.notice(self.vm.counter(), command, protocol::tmcl::Status::NOT_AVAILABLE.0);
+                }
             }
-            Exit::Budget | Exit::Breakpoint | Exit::Stopped(_) | Exit::Idle => {}
+            Exit::Budget | Exit::Breakpoint | Exit::Idle => {}
         }
+    }
+
+    /// A program that asks what it has asked before, with everything as it was, leaves out the rounds until
+    /// `horizon`.
+    #[cfg(feature = "std")]
+    fn skip_rounds(&mut self, horizon: Ticks) {
+        let (vm, program) = (&mut self.vm, &mut self.program);
+        let (at, instructions) = (program.next_at, vm.instructions());
+        let skipped =
+            program.rounds.look(at, instructions, horizon, |seen| vm.is_in(seen), || vm.situation());
+        if let Some(skipped) = skipped {
+            program.next_at += skipped.time;
+            vm.count(skipped.instructions);
+        }
+    }
+
+    /// Whether a command changes nothing but outputs, and reads the same again until something happens.
+    fn is_still(&self, command: Command) -> bool {
+        let Command { opcode, kind, motor, value } = command;
+        let stands = !self.axis.is_moving() && self.search_status() == 0;
+        match opcode {
+            // The null channel is where the motor is.
+            opcode::GIO => (motor, kind) != (0, 11) || stands,
+            opcode::SIO => motor == 2,
+            opcode::GAP => stands && kind <= super::ap::RIGHT_SWITCH_OFF,
+            opcode::MVP if kind == MoveKind::Absolute as u8 && motor == 0 => stands && self.is_there(value),
+            opcode::SAP if kind == super::ap::TARGET_POSITION => stands && self.is_there(value),
+            opcode::AAP if kind == super::ap::TARGET_POSITION => {
+                stands && self.is_there(self.vm.accumulator())
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a move of the motor, which stands, to this position would change nothing.
+    fn is_there(&self, target: i32) -> bool {
+        let get = |number| self.memory.axis.get(number);
+        let usual = get(super::ap::RAMP_MODE) != super::motion::ramp_mode::VELOCITY
+            && get(super::ap::EXTENDED_ERRORS) == 0
+            && !self.motion.awaited
+            && !self.motion.stopped_by_switch
+            && !self.wire.is_asked();
+        usual && self.axis.position() == target && get(super::ap::TARGET_POSITION) == target
     }
 
     fn execute_in_program(&mut self, command: Command, board: &mut dyn Board) {
@@ -136,6 +207,7 @@ impl<F: Flash> Pd42<F> {
             Ok(Some(value)) => Outcome::Value(value),
             Ok(None) => Outcome::Done,
             Err(status) => {
+                self.program.forget_rounds();
                 self.notice(self.vm.counter(), command, status.0);
                 Outcome::Skipped
             }

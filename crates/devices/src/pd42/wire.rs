@@ -114,6 +114,11 @@ impl Wire {
         self.wanted = None;
     }
 
+    /// Whether a host wants to know when a move ends.
+    pub const fn is_asked(&self) -> bool {
+        self.wanted.is_some()
+    }
+
     /// A move by MVP has begun.
     pub fn move_begun(&mut self) {
         if let Some(wanted) = &mut self.wanted {

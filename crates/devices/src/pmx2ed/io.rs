@@ -150,6 +150,11 @@ impl<F: Flash> Pmx2ed<F> {
         board.analog(pin::AI1 + channel).clamp(0, MAX_MV)
     }
 
+    /// What was put out last: digital outputs, configurable ones, motor power.
+    pub fn latches(&self) -> [u32; 3] {
+        [self.io.outputs.into(), 0, self.io.enables.into()]
+    }
+
     /// Where outputs and motor power are at power-up.
     pub fn boot_outputs(&mut self, board: &mut dyn Board) {
         self.io.outputs = self.memory.cells.get(Id::OutputsBoot) as u8;

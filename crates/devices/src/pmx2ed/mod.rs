@@ -199,6 +199,7 @@ impl<F: Flash> Clocked for Pmx2ed<F> {
         }
         for axis in 0..AXIS_COUNT {
             if !self.axes[axis].is_moving() {
+                self.stations[axis].polled = false;
                 self.run_homing(axis, board);
             }
         }

@@ -396,7 +396,7 @@ impl<F: Flash> Pmx2ed<F> {
         let (axis, input) = (number / pin::AXIS, number % pin::AXIS);
         match &self.stations[axis].task {
             Task::Home(homing) => input == pin::HOME || homing.watches_index(),
-            _ => false,
+            _ => self.stations[axis].polled,
         }
     }
 

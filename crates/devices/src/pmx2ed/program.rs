@@ -6,7 +6,7 @@ use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
 use crate::ascii::clock::Programmed;
 use crate::ascii::command::Id as _;
-use crate::ascii::station::Halt;
+use crate::ascii::station::{Halt, Task};
 use crate::ascii::threads::{Hold, Threads};
 use crate::board::Board;
 use crate::flash::Flash;
@@ -25,6 +25,20 @@ pub const THREADS: usize = PROGRAMS + 1;
 impl<F: Flash> Programmed<THREADS> for Pmx2ed<F> {
     fn threads(&mut self) -> &mut Threads<THREADS> {
         &mut self.programs
+    }
+
+    fn put_out_last(&self) -> [u32; 3] {
+        self.latches()
+    }
+
+    fn poll_status(&mut self, axis: usize) -> Ticks {
+        self.stations[axis].polled = true;
+        // Within a train the axis goes on as it does.
+        let train = match self.stations[axis].task {
+            Task::Path { .. } => None,
+            _ => self.axes[axis].wake(),
+        };
+        train.unwrap_or(self.now)
     }
 
     fn next_program(&self) -> Option<(Ticks, usize)> {

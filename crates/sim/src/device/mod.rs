@@ -212,6 +212,12 @@ impl VirtualDevice {
         }
     }
 
+    /// Lets time pass until something may have changed that callers look for, a program's end above all, and no
+    /// longer than until the end of clock `until`. Time need not pass at all: call it until it has come there.
+    pub fn advance_some(&mut self, until: Ticks) {
+        self.step(self.stop().min(until).max(self.now()));
+    }
+
     /// Bytes arrive at a port.
     pub fn receive(&mut self, port: Port, bytes: &[u8]) {
         self.tell_tape(|| Act::Receive(port.into(), tape::hex(bytes)));

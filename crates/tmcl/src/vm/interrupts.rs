@@ -10,7 +10,7 @@ const NONE: u16 = u16::MAX;
 type Mask = u16;
 const _: () = assert!(INTERRUPTS.len() <= Mask::BITS as usize);
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Interrupts {
     vectors: [u16; INTERRUPTS.len()],
     enabled: Mask,

@@ -17,9 +17,13 @@ mod direct;
 mod interrupts;
 mod registers;
 mod run;
+#[cfg(feature = "std")]
+mod situation;
 
 pub use control::AddressError;
 pub use direct::Direct;
+#[cfg(feature = "std")]
+pub use situation::Situation;
 
 use crate::isa::{Command, PROGRAM_LENGTH, VARIABLES, WaitFor};
 use cell::Cell;
