@@ -51,6 +51,8 @@ pub enum Command {
 /// What to do with bench files.
 #[derive(Subcommand)]
 pub enum BenchCommand {
+    /// Print all keys of bench files
+    Keys,
     /// Print the JSON Schema of bench files, for editors
     Schema,
     /// Look for mistakes in a bench file, and print its devices

@@ -1,12 +1,16 @@
 //! `bench`: what a bench file may say, and whether one says it right.
 
 use crate::{Failure, Outcome, args::BenchCommand};
-use sim::{Bench, DeviceConfig, config::schema};
+use sim::{
+    Bench, DeviceConfig,
+    config::{reference, schema},
+};
 use std::io::{Write, stdout};
 
-/// Prints the schema, or looks through a file.
+/// Prints the keys or their schema, or looks through a file.
 pub fn bench(command: &BenchCommand) -> Outcome {
     let text = match command {
+        BenchCommand::Keys => reference(),
         BenchCommand::Schema => format!("{:#}\n", schema()),
         BenchCommand::Check { file } => Bench::read(file)?.devices.iter().map(line).collect(),
     };

@@ -4,6 +4,7 @@ mod axis;
 mod endpoint;
 mod file;
 mod keys;
+mod reference;
 mod schema;
 pub(crate) mod source;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod tests;
 
 pub use endpoint::{Endpoint, EndpointError, PlaceError};
 pub use file::{is_name, text as bench_text};
+pub use reference::reference;
 pub use schema::schema;
 pub use source::BenchError;
 pub(crate) use source::{Source, read as read_text};

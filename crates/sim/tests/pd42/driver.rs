@@ -284,3 +284,28 @@ fn open_loads_show_while_the_motor_turns() {
         assert_eq!(rig.gap(208), bit, "{pin}");
     }
 }
+
+/// The load is a part of the torque that is left at the speed: 0.4 of all at standstill, of half at 500 full steps
+/// a second, and more than there is at 900.
+#[test]
+fn the_load_value_follows_the_torque_at_the_speed() {
+    let mut rig = Rig::with(|axis| {
+        axis.pull_out = vec![[0.0, 1.0], [1000.0, 0.0]];
+        axis.load = 0.4;
+    });
+    rig.sap(6, 255);
+    rig.sap(154, 0);
+    rig.sap(5, 500);
+    let mut reading = |full_steps: i32| {
+        // Pulses of 1/256 of a full step, and 244.14 of them a second for each unit.
+        rig.ok(1, 0, 0, full_steps * 256 * 4096 / 1_000_000);
+        rig.pass_ms(3000);
+        rig.gap(206)
+    };
+    let readings = [100, 300, 500, 900].map(&mut reading);
+    for (reading, expected) in readings.into_iter().zip([284, 219, 102, 0]) {
+        assert!((reading - expected).abs() <= 4, "{readings:?}");
+    }
+    let (position, shaft) = (rig.device.axis(0).position, rig.shaft());
+    assert!(i64::from(position) > shaft + 100_000, "it has stalled: {position}, {shaft}");
+}
