@@ -3,7 +3,7 @@
 use clap::{Args as Group, Parser, Subcommand};
 use devices::Model;
 use sim::{Endpoint, TimedInput, config::is_name};
-use std::{path::PathBuf, str::FromStr};
+use std::{num::NonZero, path::PathBuf, str::FromStr};
 
 /// Virtual stepper motion controllers, and the tools for their programs.
 #[derive(Parser)]
@@ -86,6 +86,9 @@ pub struct ServeArgs {
     /// Seconds of device time a second
     #[arg(long, value_name = "N", default_value = "1", value_parser = speed, allow_negative_numbers = true)]
     pub speed: f64,
+    /// Threads that serve devices, as many as there are processors unless set otherwise
+    #[arg(long, value_name = "N")]
+    pub workers: Option<NonZero<usize>>,
     /// Directory for flash images; without it they live in memory
     #[arg(long, value_name = "DIR")]
     pub state: Option<PathBuf>,

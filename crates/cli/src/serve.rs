@@ -29,8 +29,8 @@ pub fn serve(args: ServeArgs) -> Outcome {
     }
     let scenario = args.scenario.map(|file| Scenario::read(&file, &devices, &no_source));
     let scenario = scenario.transpose()?.unwrap_or_default();
-    let (speed, state, record) = (args.speed, args.state, args.record);
-    let server = Server::start(Settings { devices, http, speed, state, record, scenario })?;
+    let (speed, state, record, workers) = (args.speed, args.state, args.record, args.workers);
+    let server = Server::start(Settings { devices, http, speed, state, record, scenario, workers })?;
     let mut signals = server.signals()?;
     announce(&server)?;
     signals.wait();

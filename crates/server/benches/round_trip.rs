@@ -5,6 +5,7 @@ use sim::{DeviceConfig, Scenario};
 use std::{
     io::{Read, Write},
     net::{SocketAddr, TcpListener, TcpStream},
+    num::NonZero,
     thread,
     time::{Duration, Instant},
 };
@@ -49,6 +50,7 @@ fn main() {
         state: None,
         record: Vec::new(),
         scenario: Scenario::default(),
+        workers: NonZero::new(1),
     })
     .expect("it starts");
     println!("median of {ROUNDS} round trips over TCP");

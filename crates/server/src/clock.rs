@@ -33,14 +33,15 @@ impl Clock {
         Self { started: now, rate_micro: u128::from(clock_hz) * speed_micro, skipped: 0 }
     }
 
-    /// The clock to which a device must advance that has come to `done`.
-    pub fn due(&mut self, now: Instant, done: Ticks) -> Ticks {
+    /// The clock to which a device must advance that has come to `done`. Until `wake` nothing happens in it, so
+    /// that much it cannot be behind.
+    pub fn due(&mut self, now: Instant, done: Ticks, wake: Ticks) -> Ticks {
         let due = self.ticks(now.saturating_duration_since(self.started)).saturating_sub(self.skipped);
-        let behind = due.saturating_sub(done);
+        let behind = due.saturating_sub(done.max(wake));
         let most = self.ticks(MAX_BEHIND);
         if behind > most {
             self.skipped += behind - most;
-            return done + most;
+            return due - (behind - most);
         }
         due.max(done)
     }
@@ -66,7 +67,7 @@ mod tests {
         let mut clock = Clock::new(16_000_000, 2.5, start);
         let mut done = 0;
         for ms in 1..=10_000 {
-            done = clock.due(start + Duration::from_millis(ms), done);
+            done = clock.due(start + Duration::from_millis(ms), done, 0);
             assert_eq!(done, ms * 40_000);
         }
     }
@@ -75,17 +76,28 @@ mod tests {
     fn time_never_runs_back() {
         let start = Instant::now();
         let mut clock = Clock::new(1_000_000, 1.0, start + Duration::from_secs(1));
-        assert_eq!(clock.due(start, 77), 77);
+        assert_eq!(clock.due(start, 77, 0), 77);
     }
 
     #[test]
     fn a_late_device_skips_what_it_missed() {
         let start = Instant::now();
         let mut clock = Clock::new(1_000_000, 1.0, start);
-        let done = clock.due(start + Duration::from_secs(100), 0);
+        let done = clock.due(start + Duration::from_secs(100), 0, 0);
         assert_eq!(done, 250_000, "no more than the limit at once");
-        let next = clock.due(start + Duration::from_millis(100_010), done);
+        let next = clock.due(start + Duration::from_millis(100_010), done, 0);
         assert_eq!(next, 260_000, "and then on at the usual pace");
+    }
+
+    #[test]
+    fn a_device_in_which_nothing_happens_is_never_late() {
+        let start = Instant::now();
+        let mut clock = Clock::new(1_000_000, 1.0, start);
+        let mut at = |seconds, done, wake| clock.due(start + Duration::from_secs(seconds), done, wake);
+        assert_eq!(at(100, 0, Ticks::MAX), 100_000_000);
+        assert_eq!(at(200, 100_000_000, 199_900_000), 200_000_000);
+        assert_eq!(at(300, 200_000_000, 299_000_000), 299_250_000, "what was due is late");
+        assert_eq!(at(301, 299_250_000, Ticks::MAX), 300_250_000);
     }
 
     #[test]

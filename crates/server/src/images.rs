@@ -65,7 +65,7 @@ impl Images {
         let mut images = self.images.clone();
         (!images.is_empty()).then_some(move || {
             let mut told = false;
-            while !stop.within(Some(PERIOD)) {
+            while !stop.within(PERIOD) {
                 for image in &mut images {
                     if let Err(error) = image.save()
                         && !told

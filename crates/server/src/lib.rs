@@ -1,28 +1,34 @@
 //! Devices in real time, with everything that one can plug into them: TCP, pseudo-terminals, CAN
 //! adapters, USB HID, shared buses, and the HTTP interface.
 //!
-//! - Every endpoint has a thread; every client of a socket has one too, and asks the devices itself.
-//! - Every device has a thread that does what happens without being asked, and a lock.
+//! - Workers, one a processor, are threads with an event loop each. An endpoint belongs to one of them, and so do
+//!   the clients that come there: a client is a task that asks the devices itself.
+//! - A device belongs to the worker of its first endpoint, which lets it do what happens without being asked, when
+//!   it is due. It has a lock, because others may talk to it too.
 //! - HTTP runs in one more thread.
 //! - With a directory for state, one thread keeps the flash images on disk.
 //!
 //! All of them end when [`Server::stop`] closes the pipe that they wait on.
 
+mod alarms;
 mod clock;
 mod endpoint;
 mod http;
 mod images;
+mod ready;
 mod signals;
 mod stop;
 mod unit;
+mod worker;
 
 pub use clock::SPEEDS;
 pub use http::Token;
 pub use signals::Signals;
 
-use endpoint::{Framing, Line, Pty, Sockets};
+use endpoint::{Door, Line};
 use http::Http;
 use images::Images;
+use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use sim::{
     Bus, DeviceConfig, Endpoint, FaultError, PlaceError, Scenario, VirtualDevice,
     flash::ImageError,
@@ -31,6 +37,7 @@ use sim::{
 };
 use std::{
     io,
+    num::NonZero,
     path::PathBuf,
     sync::Arc,
     thread::{self, JoinHandle},
@@ -38,6 +45,7 @@ use std::{
 use stop::Stop;
 use tokio::runtime::Runtime;
 use unit::Unit;
+use worker::Workers;
 
 /// What to serve, and how.
 pub struct Settings {
@@ -53,6 +61,9 @@ pub struct Settings {
     pub record: Vec<PathBuf>,
     /// The faults that the devices have; times count from now on.
     pub scenario: Scenario,
+    /// How many threads serve endpoints and devices; without a number one for each processor. There are never more
+    /// than endpoints.
+    pub workers: Option<NonZero<usize>>,
 }
 
 /// Why the server does not start, or does not end well; one line of text.
@@ -143,6 +154,7 @@ impl Server {
             .build()
             .map_err(Error::system("HTTP thread"))?;
 
+        raise_file_limit();
         // Everything that can fail comes before the first thread.
         for (index, device) in settings.devices.iter().enumerate() {
             for endpoint in &device.listen {
@@ -151,7 +163,11 @@ impl Server {
             }
         }
         let buses = sim::buses(&settings.devices);
-        let doors = buses.iter().map(Door::open).collect::<Result<Vec<_>, _>>()?;
+        let open = |bus: &Bus| {
+            let door = Door::open(&bus.endpoint);
+            door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
+        };
+        let doors = buses.iter().map(open).collect::<Result<Vec<_>, _>>()?;
         let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
         let http = http.transpose()?;
         let mut images = Images::open(settings.state)?;
@@ -163,6 +179,7 @@ impl Server {
         let (tapes, files): (Vec<_>, Vec<_>) = settings.record.iter().partition(|path| tape::is_tape(path));
         let tapes =
             tapes.into_iter().map(|path| Tape::create(path, &heads)).collect::<Result<Vec<_>, _>>()?;
+        let mut workers = Workers::new(settings.workers, buses.len())?;
         let mut units = Vec::new();
         for (number, (config, flash)) in settings.devices.iter().zip(&flashes).enumerate() {
             let mut device = VirtualDevice::with_flash(config, flash.clone(), seed);
@@ -176,7 +193,8 @@ impl Server {
                     .plan(planned)
                     .map_err(|source| Error::Fault { device: config.name.clone(), source })?;
             }
-            units.push(Arc::new(Unit::new(config, device, settings.speed)));
+            let home = buses.iter().position(|bus| bus.members.contains(&number));
+            units.push(workers.add_unit(home, |alarm| Unit::new(config, device, settings.speed, alarm)));
         }
 
         let endpoints = endpoints(&settings.devices, &buses, &doors);
@@ -188,15 +206,13 @@ impl Server {
 
         let (stop, threads) = (Stop::new()?, Vec::new());
         let mut server = Self { ready, url, stop, threads, images, units: units.clone(), tapes, runtime };
-        for unit in &units {
-            let (unit, stop) = (Arc::clone(unit), server.stop.watch());
-            server.spawn("device", move || while !stop.within(Some(unit.tend())) {})?;
-        }
-        for (bus, door) in buses.iter().zip(doors) {
+        for (number, (bus, door)) in buses.iter().zip(doors).enumerate() {
             let port = |member: &usize| (Arc::clone(&units[*member]), port(bus));
-            let line = Arc::new(Line::new(bus.members.iter().map(port).collect()));
+            workers.add_door(number, door, Line::new(bus.members.iter().map(port).collect()));
+        }
+        for worker in workers {
             let stop = server.stop.watch();
-            server.spawn("endpoint", move || door.serve(line, &stop))?;
+            server.spawn("worker", move || worker.work(stop))?;
         }
         if let Some(keeper) = server.images.keeper(server.stop.watch()) {
             server.spawn("images", keeper)?;
@@ -259,46 +275,6 @@ impl Server {
     }
 }
 
-/// An endpoint that is open but not served yet.
-enum Door {
-    Sockets(Sockets),
-    Pty(Pty),
-}
-
-impl Door {
-    fn open(bus: &Bus) -> Result<Self, Error> {
-        let tcp = |host, port, framing| Sockets::tcp((host, port), framing).map(Self::Sockets);
-        let door = match &bus.endpoint {
-            Endpoint::Tcp { host, port } => tcp(host, *port, Framing::Plain),
-            Endpoint::SlcanTcp { host, port } => tcp(host, *port, Framing::Slcan),
-            Endpoint::HidTcp { host, port } => tcp(host, *port, Framing::Hid),
-            Endpoint::HidUnix { path } => Sockets::unix(path, Framing::Hid).map(Self::Sockets),
-            Endpoint::Pty { path } => Pty::open(path).map(Self::Pty),
-        };
-        door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
-    }
-
-    /// The endpoint with the real port.
-    fn name(&self, asked: &Endpoint) -> String {
-        let mut endpoint = asked.clone();
-        if let (
-            Self::Sockets(sockets),
-            Endpoint::Tcp { port, .. } | Endpoint::SlcanTcp { port, .. } | Endpoint::HidTcp { port, .. },
-        ) = (self, &mut endpoint)
-        {
-            *port = sockets.port().unwrap_or(*port);
-        }
-        endpoint.to_string()
-    }
-
-    fn serve(self, line: Arc<Line>, stop: &stop::Watch) {
-        match self {
-            Self::Sockets(sockets) => sockets.serve(&line, stop),
-            Self::Pty(pty) => pty.serve(&line, stop),
-        }
-    }
-}
-
 /// The endpoints of each device with their real ports, in the order in which the device names them.
 fn endpoints(devices: &[DeviceConfig], buses: &[Bus], doors: &[Door]) -> Vec<Vec<String>> {
     let of_device = |(index, device): (usize, &DeviceConfig)| {
@@ -317,6 +293,13 @@ fn port(bus: &Bus) -> devices::Port {
         _ if bus.is_shared() => devices::Port::Rs485,
         _ => devices::Port::Usb,
     }
+}
+
+/// Every endpoint and every client is an open file, and what a shell allows is often little.
+fn raise_file_limit() {
+    let limit = getrlimit(Resource::Nofile);
+    // What does not work shows when a file cannot be opened.
+    let _ = setrlimit(Resource::Nofile, Rlimit { current: limit.maximum, ..limit });
 }
 
 fn random_seed() -> u64 {

@@ -1,15 +1,17 @@
-//! How every thread learns that it is over: a pipe whose far end is closed.
+//! How threads and tasks learn that it is over: a pipe whose far end is closed.
 
-use crate::Error;
+use crate::{Error, ready};
 use rustix::{
     event::{PollFd, PollFlags, Timespec, poll},
     io::{Errno, FdFlags},
 };
 use std::{
-    os::fd::{AsFd, BorrowedFd, OwnedFd},
+    io,
+    os::fd::{AsFd, OwnedFd},
     sync::Arc,
     time::Duration,
 };
+use tokio::io::Interest;
 
 /// Dropping it tells everybody who watches.
 pub(crate) struct Stop {
@@ -40,34 +42,24 @@ pub(crate) struct Watch(Arc<OwnedFd>);
 
 impl Watch {
     /// Waits until it is over, but no longer than `timeout`, and says whether it is.
-    pub fn within(&self, timeout: Option<Duration>) -> bool {
-        !matches!(self.or_readable(None, timeout), Waited::Other)
-    }
-
-    /// Waits until it is over, `other` can be read, or the time is up.
-    pub fn or_readable(&self, other: Option<BorrowedFd<'_>>, timeout: Option<Duration>) -> Waited {
-        let mine = PollFd::from_borrowed_fd(self.0.as_fd(), PollFlags::IN);
-        let other = other.map(|fd| PollFd::from_borrowed_fd(fd, PollFlags::IN));
-        let mut waits = [mine.clone(), other.clone().unwrap_or(mine)];
-        let count = 1 + usize::from(other.is_some());
-        let timeout = timeout.map(|span| Timespec {
-            tv_sec: i64::try_from(span.as_secs()).unwrap_or(i64::MAX),
-            tv_nsec: span.subsec_nanos().into(),
-        });
-        match poll(&mut waits[..count], timeout.as_ref()) {
-            Ok(_) if !waits[0].revents().is_empty() => Waited::Over,
-            Ok(_) | Err(Errno::INTR | Errno::AGAIN) => Waited::Other,
-            Err(_) => Waited::Over,
+    pub fn within(&self, timeout: Duration) -> bool {
+        let timeout = Timespec {
+            tv_sec: i64::try_from(timeout.as_secs()).unwrap_or(i64::MAX),
+            tv_nsec: timeout.subsec_nanos().into(),
+        };
+        match poll(&mut [PollFd::from_borrowed_fd(self.0.as_fd(), PollFlags::IN)], Some(&timeout)) {
+            Ok(0) | Err(Errno::INTR | Errno::AGAIN) => false,
+            Ok(_) | Err(_) => true,
         }
     }
-}
 
-/// What ended a wait.
-pub(crate) enum Waited {
-    /// It is over.
-    Over,
-    /// Something can be read, the time is up, or nothing in particular.
-    Other,
+    /// Waits until it is over.
+    ///
+    /// # Errors
+    /// The system refuses to wait for it.
+    pub async fn over(self) -> io::Result<()> {
+        ready::watch(self.0, Interest::READABLE)?.readable().await.map(drop)
+    }
 }
 
 #[cfg(test)]
@@ -79,11 +71,21 @@ mod tests {
     fn watchers_wake_at_the_end() {
         let stop = Stop::new().unwrap();
         let watch = stop.watch();
-        assert!(!watch.within(Some(Duration::from_millis(5))));
-        let thread = std::thread::spawn(move || watch.within(Some(Duration::from_secs(30))));
+        assert!(!watch.within(Duration::from_millis(5)));
+        let thread = std::thread::spawn(move || watch.within(Duration::from_secs(30)));
         let start = Instant::now();
         drop(stop);
         assert!(thread.join().unwrap());
         assert!(start.elapsed() < Duration::from_secs(10));
+    }
+
+    #[test]
+    fn tasks_wake_at_the_end() {
+        let stop = Stop::new().unwrap();
+        let over = stop.watch().over();
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+        let thread = std::thread::spawn(move || runtime.block_on(over));
+        drop(stop);
+        thread.join().unwrap().unwrap();
     }
 }

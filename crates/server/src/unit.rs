@@ -1,6 +1,9 @@
 //! A device in real time: the wall clock drives it, and everybody who wants something locks it.
+//!
+//! Nobody looks at a device in which nothing happens. Whoever has done something to it sees to it that its alarm
+//! is set for what follows.
 
-use crate::{clock::Clock, endpoint::Sink};
+use crate::{alarms::Alarms, clock::Clock, endpoint::Sink};
 use devices::Port;
 use sim::{DeviceConfig, DeviceState, VirtualDevice, record::RecordError};
 use std::{
@@ -8,16 +11,32 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// The longest that a device is left alone: what it does by itself shows up this late at most.
-const LONGEST_NAP: Duration = Duration::from_millis(10);
+/// The longest that a device is left alone; for one in which nothing will happen there is no other end.
+const LONGEST_NAP: Duration = Duration::from_secs(60);
 
-/// The shortest: a running program wants to be woken for every instruction, and gets them in batches.
-const SHORTEST_NAP: Duration = Duration::from_millis(1);
+/// The shortest: what a device does by itself shows up this late at most. A ramp wants to be looked after at each
+/// of its trains and a program at every instruction, and they get them in batches.
+const SHORTEST_NAP: Duration = Duration::from_millis(5);
 
 /// Bytes that a device sent, and the pause that it wants to be kept before them.
 pub(crate) struct Sent {
     pub bytes: Vec<u8>,
     pub pause: Duration,
+}
+
+impl Sent {
+    /// Keeps the pause.
+    pub async fn pause(&self) {
+        wait(self.pause).await;
+    }
+}
+
+/// Lets time pass, if there is any.
+pub(crate) async fn wait(pause: Duration) {
+    // A timer would take a millisecond for nothing.
+    if !pause.is_zero() {
+        tokio::time::sleep(pause).await;
+    }
 }
 
 /// A device that runs.
@@ -28,56 +47,65 @@ pub(crate) struct Unit {
     pub model: &'static str,
     speed: f64,
     live: Mutex<Live>,
+    alarms: Arc<Alarms>,
+    /// Its number among those of its worker.
+    number: usize,
 }
 
 struct Live {
     device: VirtualDevice,
     clock: Clock,
+    /// The alarm that is set.
+    alarm: Option<Instant>,
     speakers: Vec<(Port, Weak<dyn Sink>)>,
 }
 
 impl Unit {
-    /// Switches a device on; its time starts now and runs `speed` times as fast as the wall clock.
-    pub fn new(config: &DeviceConfig, device: VirtualDevice, speed: f64) -> Self {
-        let clock = Clock::new(device.clock_hz(), speed, Instant::now());
+    /// Switches a device on; its time starts now and runs `speed` times as fast as the wall clock. Its alarms have
+    /// this number.
+    pub fn new(
+        config: &DeviceConfig,
+        device: VirtualDevice,
+        speed: f64,
+        (alarms, number): (Arc<Alarms>, usize),
+    ) -> Self {
+        let now = Instant::now();
+        let clock = Clock::new(device.clock_hz(), speed, now);
+        alarms.set(now, number);
         Self {
             name: config.name.clone(),
             model: config.model.name,
             speed,
-            live: Mutex::new(Live { device, clock, speakers: Vec::new() }),
+            live: Mutex::new(Live { device, clock, alarm: Some(now), speakers: Vec::new() }),
+            alarms,
+            number,
         }
     }
 
-    /// Bytes arrive from a client. What the device sends through the same port because of them is added
-    /// to `sent`; what it had sent by itself before goes to the client that spoke last.
-    pub fn exchange(&self, port: Port, bytes: &[u8], client: &Arc<dyn Sink>, sent: &mut Vec<Sent>) {
-        let mut live = self.catch_up();
-        live.speaks(port, client);
-        live.device.receive(port, bytes);
-        let speed = self.speed;
-        live.drain(|message| {
-            if message.port != port {
-                return Some(message);
-            }
-            let pause = Duration::from_millis(message.delay_ms.into()).div_f64(speed);
-            sent.push(Sent { bytes: message.bytes, pause });
-            None
-        });
+    /// The device to talk to, come to the present time. Nobody else has it meanwhile.
+    pub fn turn(&self) -> Turn<'_> {
+        let now = Instant::now();
+        let mut live = self.live();
+        let Live { device, clock, .. } = &mut *live;
+        let due = clock.due(now, device.now(), device.wake());
+        device.advance(due);
+        live.drain(Some);
+        Turn { unit: self, live, now }
     }
 
     /// A client leaves. What it had begun to send is forgotten, unless others have spoken since.
     pub fn hang_up(&self, port: Port, client: &Arc<dyn Sink>) {
-        let mut live = self.catch_up();
-        if live.spoke_last(port, client) {
-            live.device.hang_up(port);
+        let mut turn = self.turn();
+        if turn.live.spoke_last(port, client) {
+            turn.live.device.hang_up(port);
         }
     }
 
     /// The device, come to the present time.
     pub fn with<T>(&self, act: impl FnOnce(&mut VirtualDevice) -> T) -> T {
-        let mut live = self.catch_up();
-        let result = act(&mut live.device);
-        live.drain(Some);
+        let mut turn = self.turn();
+        let result = act(&mut turn.live.device);
+        turn.live.drain(Some);
         result
     }
 
@@ -94,20 +122,58 @@ impl Unit {
         })
     }
 
-    /// Lets the device do what is due, and says how long it may then be left alone.
-    pub fn tend(&self) -> Duration {
-        let live = self.catch_up();
-        live.clock.until(live.device.now(), live.device.wake()).clamp(SHORTEST_NAP, LONGEST_NAP)
+    /// An alarm that was set for this time goes off: the device does what is due.
+    pub fn tend(&self, alarm: Instant) {
+        let mut live = self.live();
+        // Others may have been set, and have gone off, since.
+        if live.alarm == Some(alarm) {
+            live.alarm = None;
+            drop(live);
+            drop(self.turn());
+        }
     }
 
-    fn catch_up(&self) -> MutexGuard<'_, Live> {
+    fn live(&self) -> MutexGuard<'_, Live> {
         // A panic inside a device is an assertion on its own invariants; the other devices go on.
-        let mut live = self.live.lock().unwrap_or_else(PoisonError::into_inner);
-        let Live { device, clock, .. } = &mut *live;
-        let due = clock.due(Instant::now(), device.now());
-        device.advance(due);
-        live.drain(Some);
-        live
+        self.live.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Somebody talks to a device.
+pub(crate) struct Turn<'a> {
+    unit: &'a Unit,
+    live: MutexGuard<'a, Live>,
+    now: Instant,
+}
+
+impl Turn<'_> {
+    /// Bytes arrive from a client. What the device sends through the same port because of them is added
+    /// to `sent`; what it had sent by itself before goes to the client that spoke last.
+    pub fn exchange(&mut self, port: Port, bytes: &[u8], client: &Arc<dyn Sink>, sent: &mut Vec<Sent>) {
+        let (live, speed) = (&mut *self.live, self.unit.speed);
+        live.speaks(port, client);
+        live.device.receive(port, bytes);
+        live.drain(|message| {
+            if message.port != port {
+                return Some(message);
+            }
+            let pause = Duration::from_millis(message.delay_ms.into()).div_f64(speed);
+            sent.push(Sent { bytes: message.bytes, pause });
+            None
+        });
+    }
+}
+
+impl Drop for Turn<'_> {
+    /// Sets the alarm for what comes next, unless one will go off before that.
+    fn drop(&mut self) {
+        let Live { device, clock, alarm, .. } = &mut *self.live;
+        let nap = clock.until(device.now(), device.wake()).clamp(SHORTEST_NAP, LONGEST_NAP);
+        let at = self.now + nap;
+        if alarm.is_none_or(|set| at < set) {
+            *alarm = Some(at);
+            self.unit.alarms.set(at, self.unit.number);
+        }
     }
 }
 

@@ -13,21 +13,29 @@ use protocol::hid::{Packet, Reports};
 use std::sync::Arc;
 
 /// One connection, to its end.
-pub(super) fn talk(stream: &Arc<Stream>, line: &Line) {
-    let unit = line.only();
-    let presence = || unit.with(|device| (device.hid_name(), device.switched_on_at()));
+pub(super) async fn talk(stream: Arc<Stream>, line: Arc<Line>) {
+    let presence = || line.only().with(|device| (device.hid_name(), device.switched_on_at()));
     let (Some(name), switched_on_at) = presence() else { return };
-    if !stream.send(&Packet::of_reply(name.as_str().as_bytes()).0) {
+    if !stream.send(&Packet::of_reply(name.as_str().as_bytes()).0).await {
         return;
     }
-    let mut client = line.client(Arc::new(ReportSink(StreamSink(Arc::clone(stream)))));
+    let mut client = line.client(Arc::new(ReportSink(StreamSink(Arc::clone(&stream)))));
     let mut reports = Reports::new();
-    stream.receive(|bytes| {
-        bytes.iter().filter_map(|byte| reports.push(*byte)).all(|report| {
-            presence().1 == switched_on_at
-                && client.exchange(report.heard(), |reply| stream.send(&Packet::of_reply(reply).0))
-        })
-    });
+    let mut complete = |bytes: &[u8]| bytes.iter().filter_map(|byte| reports.push(*byte)).collect::<Vec<_>>();
+    while let Some(commands) = stream.receive(&mut complete).await {
+        for command in commands {
+            if presence().1 != switched_on_at {
+                return;
+            }
+            client.exchange(command.heard());
+            for reply in client.replies() {
+                reply.pause().await;
+                if !stream.send(&Packet::of_reply(&reply.bytes).0).await {
+                    return;
+                }
+            }
+        }
+    }
 }
 
 /// Sends what a device says by itself as reports.

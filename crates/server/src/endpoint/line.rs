@@ -3,7 +3,7 @@
 use super::Sink;
 use crate::unit::{Sent, Unit};
 use devices::Port;
-use std::{sync::Arc, thread};
+use std::sync::Arc;
 
 /// The devices at the far end of an endpoint, each with the port that it is connected by.
 pub(crate) struct Line {
@@ -11,7 +11,7 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// A line to these.
+    /// A line to these. Where two lines have some in common, these are in the same order.
     pub fn new(stations: Vec<(Arc<Unit>, Port)>) -> Self {
         Self { stations }
     }
@@ -26,19 +26,19 @@ impl Line {
     }
 
     /// Somebody who talks over the line; `sink` takes what devices say later by themselves.
-    pub fn client(&self, sink: Arc<dyn Sink>) -> Client<'_> {
-        Client { line: self, sink, sent: Vec::new() }
+    pub fn client(self: &Arc<Self>, sink: Arc<dyn Sink>) -> Client {
+        Client { line: Arc::clone(self), sink, sent: Vec::new() }
     }
 }
 
 /// One client of a line.
-pub(crate) struct Client<'a> {
-    line: &'a Line,
+pub(crate) struct Client {
+    line: Arc<Line>,
     sink: Arc<dyn Sink>,
     sent: Vec<Sent>,
 }
 
-impl Drop for Client<'_> {
+impl Drop for Client {
     fn drop(&mut self) {
         for (unit, port) in &self.line.stations {
             unit.hang_up(*port, &self.sink);
@@ -46,24 +46,26 @@ impl Drop for Client<'_> {
     }
 }
 
-impl Client<'_> {
-    /// Gives bytes to every device on the line and their replies to `reply`, after the pause that the
-    /// device was told to keep. Stops, and says so, when `reply` fails.
-    pub fn exchange(&mut self, bytes: &[u8], mut reply: impl FnMut(&[u8]) -> bool) -> bool {
+impl Client {
+    /// Gives bytes to every device on the line.
+    pub fn exchange(&mut self, bytes: &[u8]) {
+        let Self { line, sink, sent } = self;
+        if let [(unit, port)] = &line.stations[..] {
+            return unit.turn().exchange(*port, bytes, sink, sent);
+        }
         // Of what comes in one go on a serial bus every device hears each byte before the next one, so that
         // their replies come in the order of the questions.
-        let stations = &self.line.stations;
-        let is_serial_bus = stations.iter().any(|(_, port)| *port == Port::Rs485);
-        for part in bytes.chunks(if is_serial_bus { 1 } else { bytes.len().max(1) }) {
-            for (unit, port) in stations {
-                unit.exchange(*port, part, &self.sink, &mut self.sent);
+        let mut turns: Vec<_> = line.stations.iter().map(|(unit, port)| (unit.turn(), *port)).collect();
+        let is_serial = line.stations.iter().any(|(_, port)| *port == Port::Rs485);
+        for part in bytes.chunks(if is_serial { 1 } else { bytes.len().max(1) }) {
+            for (turn, port) in &mut turns {
+                turn.exchange(*port, part, sink, sent);
             }
         }
-        self.sent.drain(..).all(|sent| {
-            if !sent.pause.is_zero() {
-                thread::sleep(sent.pause);
-            }
-            reply(&sent.bytes)
-        })
+    }
+
+    /// What the devices replied, to be sent in this order, each after its pause.
+    pub fn replies(&mut self) -> impl Iterator<Item = Sent> {
+        self.sent.drain(..)
     }
 }

@@ -1,11 +1,11 @@
 //! A pseudo-terminal: what a program takes for a serial port.
 //!
 //! Clients open and close it as often as they like. While none has it open the kernel reports a hang-up
-//! at every look, so the thread then only looks now and then. What a client leaves behind (replies it
+//! at every look, so it is then only looked at now and then. What a client leaves behind (replies it
 //! did not read, its line settings, its exclusive lock) is cleared before the next one comes.
 
 use super::{Sink, line::Line};
-use crate::stop::{Waited, Watch};
+use crate::ready;
 use rustix::{
     fs::{Mode, OFlags},
     io::{Errno, FdFlags},
@@ -22,6 +22,7 @@ use std::{
     sync::Arc,
     time::Duration,
 };
+use tokio::{io::Interest, task::yield_now, time::sleep};
 
 /// How often a terminal that nobody has open is looked at.
 const IDLE_LOOK: Duration = Duration::from_millis(10);
@@ -43,11 +44,10 @@ impl Pty {
         Ok(Self { terminal, link })
     }
 
-    /// Serves clients, one after the other, until it is over.
-    pub fn serve(mut self, line: &Line, stop: &Watch) {
+    /// Serves clients for ever, one after the other.
+    pub async fn serve(mut self, line: Arc<Line>) {
         loop {
-            match self.session(line, stop) {
-                Ended::Stopped => return,
+            match self.session(&line).await {
                 Ended::Closed if self.terminal.clear().is_ok() => {}
                 // Somebody locked it and left, or it is broken: the next client gets a new one.
                 Ended::Closed | Ended::Failed => match self.renew() {
@@ -62,36 +62,47 @@ impl Pty {
     }
 
     /// From nobody there until the client has closed.
-    fn session(&self, line: &Line, stop: &Watch) -> Ended {
+    async fn session(&self, line: &Arc<Line>) -> Ended {
         let master = &self.terminal.master;
         let sink = Arc::new(MasterSink(Arc::clone(master)));
         let mut client = line.client(sink.clone());
-        let mut bytes = [0; READ_BYTES];
-        let mut open = false;
+        let (mut open, mut watched) = (false, None);
         loop {
-            match rustix::io::read(master, &mut bytes) {
+            let heard = {
+                let mut bytes = [0; READ_BYTES];
+                let heard = rustix::io::read(master, &mut bytes);
+                if let Ok(length @ 1..) = heard {
+                    client.exchange(&bytes[..length]);
+                }
+                heard
+            };
+            match heard {
                 Ok(0) | Err(Errno::IO) if open => return Ended::Closed,
-                Ok(0) | Err(Errno::IO) => {}
-                Ok(length) => {
+                // A closed terminal is always ready, so only the time ends that wait.
+                Ok(0) | Err(Errno::IO) => {
+                    sleep(IDLE_LOOK).await;
+                    continue;
+                }
+                Ok(_) => {
                     open = true;
-                    client.exchange(&bytes[..length], |reply| {
-                        sink.push(reply);
-                        true
-                    });
+                    for reply in client.replies() {
+                        reply.pause().await;
+                        sink.push(&reply.bytes);
+                    }
+                    yield_now().await;
                     continue;
                 }
                 Err(Errno::AGAIN | Errno::INTR) => open = true,
                 Err(_) => return Ended::Failed,
             }
-            // A closed terminal is always ready, so only the time ends that wait.
-            let waited = if open {
-                stop.or_readable(Some(master.as_fd()), None)
-            } else {
-                stop.or_readable(None, Some(IDLE_LOOK))
-            };
-            if let Waited::Over = waited {
-                return Ended::Stopped;
-            }
+            let fresh = || ready::watch(Arc::clone(master), Interest::READABLE);
+            let Ok(master) = watched.take().map_or_else(fresh, Ok) else { return Ended::Failed };
+            let Ok(mut ready) = master.readable().await else { return Ended::Failed };
+            let hung_up = ready.ready().is_read_closed();
+            ready.clear_ready();
+            drop(ready);
+            // A hang-up stays known for good, but somebody may have opened it since.
+            watched = Some(master).filter(|_| !hung_up);
         }
     }
 
@@ -104,7 +115,6 @@ impl Pty {
 }
 
 enum Ended {
-    Stopped,
     Closed,
     Failed,
 }

@@ -4,40 +4,50 @@ use super::{
     Line, Sink,
     stream::{Stream, StreamSink},
 };
+use crate::unit::wait;
 use protocol::{
     can,
     slcan::{Adapter, Lines},
 };
 use std::{
     sync::{Arc, Mutex, MutexGuard, PoisonError},
-    time::Instant,
+    time::{Duration, Instant},
 };
 
 /// One connection, to its end. Each has an adapter of its own, as if everybody had plugged one in.
-pub(super) fn talk(stream: &Arc<Stream>, line: &Line) {
+pub(super) async fn talk(stream: Arc<Stream>, line: Arc<Line>) {
     let bus = Arc::new(BusSink {
         adapter: Mutex::new(Adapter::new()),
-        stream: StreamSink(Arc::clone(stream)),
+        stream: StreamSink(Arc::clone(&stream)),
         plugged_in: Instant::now(),
     });
     let mut client = line.client(bus.clone());
     let mut lines = Lines::new();
-    stream.receive(|bytes| {
-        let mut answer = Vec::new();
+    let mut answer = Vec::new();
+    let mut execute = |bytes: &[u8], answer: &mut Vec<u8>| {
+        let mut pause = Duration::ZERO;
         for byte in bytes {
             let Some(line) = lines.push(*byte) else { continue };
             let done = bus.adapter().execute(line);
             answer.extend_from_slice(&done.reply);
             if let Some(frame) = done.transmit.and_then(|message| message.frame()) {
                 let mut flat = [0; can::MAX_FLAT];
-                client.exchange(frame.encode(&mut flat), |reply| {
-                    answer.extend_from_slice(&bus.text(reply));
-                    true
-                });
+                client.exchange(frame.encode(&mut flat));
+                for reply in client.replies() {
+                    pause += reply.pause;
+                    answer.extend_from_slice(&bus.text(&reply.bytes));
+                }
             }
         }
-        stream.send(&answer)
-    });
+        pause
+    };
+    while let Some(pause) = stream.receive(|bytes| execute(bytes, &mut answer)).await {
+        wait(pause).await;
+        if !stream.send(&answer).await {
+            return;
+        }
+        answer.clear();
+    }
 }
 
 /// Takes frames from the bus as one client's adapter does.

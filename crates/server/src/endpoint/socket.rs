@@ -1,4 +1,4 @@
-//! Sockets: many clients at once, each with a thread of its own that blocks in `read`.
+//! Sockets: many clients at once.
 
 use super::{
     hid,
@@ -7,16 +7,16 @@ use super::{
     stream::{Stream, StreamSink},
     unix::UnixSocket,
 };
-use crate::stop::{Waited, Watch};
+use crate::ready;
 use std::{
     io,
     net::TcpListener,
-    os::fd::{AsFd, BorrowedFd, OwnedFd},
+    os::fd::{AsFd, AsRawFd, BorrowedFd, OwnedFd, RawFd},
     path::Path,
-    sync::{Arc, Mutex, PoisonError, Weak},
-    thread,
+    sync::Arc,
     time::Duration,
 };
+use tokio::{io::Interest, time::sleep};
 
 /// Most clients of one endpoint at a time; one more is turned away.
 pub const MAX_CLIENTS: usize = 64;
@@ -67,33 +67,37 @@ impl Sockets {
         self.port
     }
 
-    /// Accepts clients until it is over, and then shuts their connections.
-    pub fn serve(self, line: &Arc<Line>, stop: &Watch) {
-        let clients = Clients::default();
-        while let Waited::Other = stop.or_readable(Some(self.listener.as_fd()), None) {
-            match self.listener.accept() {
-                Ok(socket) => self.welcome(socket, line, &clients),
-                Err(error) if error.kind() == io::ErrorKind::WouldBlock => {}
-                Err(_) => thread::sleep(ACCEPT_PAUSE),
+    /// Accepts clients for ever. Each has a task of its own.
+    pub async fn serve(self, line: Arc<Line>) {
+        let listener = match ready::watch(self.listener, Interest::READABLE) {
+            Ok(listener) => listener,
+            Err(error) => return eprintln!("warning: an endpoint ends: {error}"),
+        };
+        // Every client holds it as long as it is there.
+        let present = Arc::new(());
+        loop {
+            let Ok(mut ready) = listener.readable().await else { return };
+            match listener.get_ref().accept() {
+                Ok(_) if Arc::strong_count(&present) > MAX_CLIENTS => {}
+                Ok(socket) => welcome(socket, self.framing, &line, &present),
+                Err(error) if error.kind() == io::ErrorKind::WouldBlock => ready.clear_ready(),
+                Err(_) => sleep(ACCEPT_PAUSE).await,
             }
         }
-        clients.shut();
     }
+}
 
-    fn welcome(&self, socket: OwnedFd, line: &Arc<Line>, clients: &Clients) {
-        let Ok(stream) = Stream::new(socket) else { return };
-        let stream = Arc::new(stream);
-        if !clients.admit(&stream) {
-            return;
+fn welcome(socket: OwnedFd, framing: Framing, line: &Arc<Line>, present: &Arc<()>) {
+    let Ok(stream) = Stream::new(socket) else { return };
+    let (stream, line, present) = (Arc::new(stream), Arc::clone(line), Arc::clone(present));
+    tokio::spawn(async move {
+        match framing {
+            Framing::Plain => talk(stream, line).await,
+            Framing::Slcan => slcan::talk(stream, line).await,
+            Framing::Hid => hid::talk(stream, line).await,
         }
-        let (line, framing) = (Arc::clone(line), self.framing);
-        // Without a thread for it the connection is dropped, and so closed.
-        let _ = thread::Builder::new().name("client".into()).spawn(move || match framing {
-            Framing::Plain => talk(&stream, &line),
-            Framing::Slcan => slcan::talk(&stream, &line),
-            Framing::Hid => hid::talk(&stream, &line),
-        });
-    }
+        drop(present);
+    });
 }
 
 impl Listener {
@@ -119,33 +123,21 @@ impl AsFd for Listener {
     }
 }
 
-/// The connections of an endpoint that are open.
-#[derive(Default)]
-struct Clients(Mutex<Vec<Weak<Stream>>>);
-
-impl Clients {
-    /// Takes a client in unless there are too many.
-    fn admit(&self, stream: &Arc<Stream>) -> bool {
-        let mut streams = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        streams.retain(|stream| stream.strong_count() > 0);
-        let room = streams.len() < MAX_CLIENTS;
-        if room {
-            streams.push(Arc::downgrade(stream));
-        }
-        room
-    }
-
-    fn shut(&self) {
-        for stream in self.0.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
-            if let Some(stream) = stream.upgrade() {
-                stream.shut();
-            }
-        }
+impl AsRawFd for Listener {
+    fn as_raw_fd(&self) -> RawFd {
+        self.as_fd().as_raw_fd()
     }
 }
 
 /// One connection, to its end.
-fn talk(stream: &Arc<Stream>, line: &Line) {
-    let mut client = line.client(Arc::new(StreamSink(Arc::clone(stream))));
-    stream.receive(|bytes| client.exchange(bytes, |reply| stream.send(reply)));
+async fn talk(stream: Arc<Stream>, line: Arc<Line>) {
+    let mut client = line.client(Arc::new(StreamSink(Arc::clone(&stream))));
+    while let Some(()) = stream.receive(|bytes| client.exchange(bytes)).await {
+        for reply in client.replies() {
+            reply.pause().await;
+            if !stream.send(&reply.bytes).await {
+                return;
+            }
+        }
+    }
 }

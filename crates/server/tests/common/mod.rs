@@ -184,6 +184,7 @@ pub fn settings(devices: Vec<DeviceConfig>) -> Settings {
         state: None,
         record: Vec::new(),
         scenario: Scenario::default(),
+        workers: None,
     }
 }
 
