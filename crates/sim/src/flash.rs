@@ -4,6 +4,7 @@
 //! The image is shared: it outlives the controller that uses it, as flash outlives the power.
 
 mod image;
+mod rows;
 #[cfg(test)]
 mod tests;
 
@@ -12,6 +13,7 @@ pub use image::{ImageError, image_path};
 use devices::flash::{Flash, FlashError, PAGE_BYTES, WORD_BYTES};
 use motion::Ticks;
 use rand_pcg::{Pcg32, rand_core::Rng as _};
+use rows::Rows;
 use std::{
     collections::VecDeque,
     ops::Range,
@@ -27,29 +29,16 @@ pub const PAGE_ERASE_US: u64 = 20_000;
 /// How many operations can be unfinished at a time; the oldest ones count as finished past that.
 pub const MAX_UNFINISHED: usize = 256;
 
-/// How many operations the log remembers.
-pub const MAX_LOG: usize = 4096;
-
-/// What one operation did, for tests.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Operation {
-    /// These bytes were written.
-    Write(Range<u32>),
-    /// These bytes were erased.
-    Erase(Range<u32>),
-}
-
 /// A flash memory that several owners hold: the controller, and whoever keeps the image.
 #[derive(Clone, Debug)]
 pub struct SharedFlash(Arc<Mutex<Memory>>);
 
 #[derive(Debug)]
 struct Memory {
-    bytes: Vec<u8>,
+    bytes: Rows,
     now: Ticks,
     clock_hz: u32,
     unfinished: VecDeque<Unfinished>,
-    log: VecDeque<Operation>,
     operations: u64,
     cut_at: Option<u64>,
     dead: bool,
@@ -71,7 +60,7 @@ impl SharedFlash {
     /// # Panics
     /// If `capacity` is not a multiple of the page.
     pub fn erased(capacity: u32) -> Self {
-        Self::from_bytes(vec![0xFF; capacity as usize])
+        Self::of(Rows::erased(capacity as usize))
     }
 
     /// A memory with this image.
@@ -79,6 +68,12 @@ impl SharedFlash {
     /// # Panics
     /// If its length is not a multiple of the page.
     pub fn from_bytes(bytes: Vec<u8>) -> Self {
+        let mut rows = Rows::erased(bytes.len());
+        rows.write(0, &bytes);
+        Self::of(rows)
+    }
+
+    fn of(bytes: Rows) -> Self {
         assert!(bytes.len().is_multiple_of(PAGE_BYTES as usize), "a flash consists of pages");
         assert!(u32::try_from(bytes.len()).is_ok(), "a flash has 32-bit addresses");
         Self(Arc::new(Mutex::new(Memory {
@@ -86,7 +81,6 @@ impl SharedFlash {
             now: 0,
             clock_hz: 1_000_000,
             unfinished: VecDeque::new(),
-            log: VecDeque::new(),
             operations: 0,
             cut_at: None,
             dead: false,
@@ -96,7 +90,8 @@ impl SharedFlash {
 
     /// A copy of the image as the controller reads it now.
     pub fn to_bytes(&self) -> Vec<u8> {
-        self.memory().bytes.clone()
+        let memory = self.memory();
+        memory.bytes.copy(0..memory.bytes.len())
     }
 
     /// Bytes of the memory.
@@ -117,11 +112,6 @@ impl SharedFlash {
     /// Writes and erases since the image was made.
     pub fn operations(&self) -> u64 {
         self.memory().operations
-    }
-
-    /// The last [`MAX_LOG`] operations, oldest first.
-    pub fn log(&self) -> Vec<Operation> {
-        self.memory().log.iter().cloned().collect()
     }
 
     /// Takes the power away in the middle of the operation after the next `operations` ones: a part of
@@ -162,8 +152,7 @@ impl SharedFlash {
             };
             let done = done * WORD_BYTES as usize;
             let start = operation.offset as usize;
-            memory.bytes[start + done..start + operation.before.len()]
-                .copy_from_slice(&operation.before[done..]);
+            memory.bytes.write(start + done, &operation.before[done..]);
         }
         memory.dead = true;
     }
@@ -179,6 +168,10 @@ impl SharedFlash {
         (memory.now, memory.clock_hz) = (now, clock_hz);
         while memory.unfinished.front().is_some_and(|operation| operation.ends <= now) {
             memory.unfinished.pop_front();
+            if memory.unfinished.is_empty() {
+                // It is short most of the time, and long while a program is stored.
+                memory.unfinished = VecDeque::new();
+            }
         }
     }
 
@@ -203,11 +196,7 @@ impl Memory {
     }
 
     /// Counts an operation of `length` bytes and says how many of them happen.
-    fn begin(&mut self, length: usize, operation: Operation) -> usize {
-        if self.log.len() == MAX_LOG {
-            self.log.pop_front();
-        }
-        self.log.push_back(operation);
+    fn begin(&mut self, length: usize) -> usize {
         self.operations += 1;
         if self.cut_at.is_none_or(|last| self.operations <= last) {
             return length;
@@ -224,7 +213,7 @@ impl Memory {
         if self.unfinished.len() == MAX_UNFINISHED {
             self.unfinished.pop_front();
         }
-        let (offset, before) = (range.start as u32, self.bytes[range].to_vec());
+        let (offset, before) = (range.start as u32, self.bytes.copy(range));
         self.unfinished.push_back(Unfinished { starts, ends: starts + takes, offset, before });
     }
 }
@@ -237,23 +226,23 @@ impl Flash for SharedFlash {
     fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), FlashError> {
         let memory = self.memory();
         let range = memory.range(offset, bytes.len(), 1)?;
-        bytes.copy_from_slice(&memory.bytes[range]);
+        memory.bytes.read(range.start, bytes);
         Ok(())
     }
 
     fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), FlashError> {
         let mut memory = self.memory();
         let range = memory.range(offset, bytes.len(), WORD_BYTES)?;
-        if memory.bytes[range.clone()].iter().any(|byte| *byte != 0xFF) {
+        if !memory.bytes.is_erased(range.clone()) {
             return Err(FlashError::NotErased);
         }
         if bytes.is_empty() {
             return Ok(());
         }
-        let done = memory.begin(bytes.len(), Operation::Write(offset..offset + bytes.len() as u32));
+        let done = memory.begin(bytes.len());
         let words = (bytes.len() / WORD_BYTES as usize) as u64;
         memory.keep_for_undo(range.clone(), words * WORD_WRITE_US);
-        memory.bytes[range.start..range.start + done].copy_from_slice(&bytes[..done]);
+        memory.bytes.write(range.start, &bytes[..done]);
         if memory.dead { Err(FlashError::PowerLost) } else { Ok(()) }
     }
 
@@ -264,9 +253,9 @@ impl Flash for SharedFlash {
         if length == 0 {
             return Ok(());
         }
-        let done = memory.begin(length, Operation::Erase(from..to));
+        let done = memory.begin(length);
         memory.keep_for_undo(range.clone(), (length / PAGE_BYTES as usize) as u64 * PAGE_ERASE_US);
-        memory.bytes[range.start..range.start + done].fill(0xFF);
+        memory.bytes.erase(range.start..range.start + done);
         if memory.dead { Err(FlashError::PowerLost) } else { Ok(()) }
     }
 }

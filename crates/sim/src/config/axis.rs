@@ -6,7 +6,7 @@ use devices::{Controller, PinKind, Wiring};
 use serde::{Deserialize, Serialize};
 
 /// Its keys, as [`keys::AXIS`](super::keys::AXIS) describes them.
-#[derive(Deserialize, Serialize)]
+#[derive(Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct AxisEntry {
     negative_limit: Option<i64>,
@@ -37,7 +37,7 @@ pub(super) struct AxisEntry {
 }
 
 /// An input that an axis switches.
-#[derive(Deserialize, Serialize)]
+#[derive(Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct CamEntry {
     pin: String,

@@ -1,15 +1,20 @@
 //! The bench file: TOML to [`Bench`], every mistake as one line with file, line and key.
 
-use super::{AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint};
+use super::{
+    AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint, MAX_DEVICES,
+};
 use super::{
     axis::{AxisEntry, check_cams},
-    keys,
+    fleet, keys,
     source::{self, BenchError, Source},
 };
 use crate::flash::SharedFlash;
 use devices::{Model, Wiring};
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, path::Path};
+use std::{
+    collections::{BTreeMap, HashSet},
+    path::Path,
+};
 
 #[derive(Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
@@ -17,10 +22,11 @@ struct BenchFile {
     device: Vec<DeviceEntry>,
 }
 
-#[derive(Deserialize, Serialize)]
+#[derive(Clone, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 struct DeviceEntry {
     model: String,
+    count: Option<usize>,
     name: Option<String>,
     #[serde(default)]
     listen: Vec<String>,
@@ -43,6 +49,7 @@ impl From<&DeviceConfig> for DeviceEntry {
         };
         Self {
             model: model.name.into(),
+            count: None,
             name: Some(name.clone()),
             listen: listen.iter().map(ToString::to_string).collect(),
             supply: unusual(*supply_v, usual.supply_v),
@@ -76,21 +83,49 @@ pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<
         let path: Vec<_> = wrong.path.iter().map(String::as_str).collect();
         at(&path, wrong.problem)
     })?;
+    let count: usize =
+        bench.device.iter().map(|entry| entry.count.unwrap_or(1)).fold(0, usize::saturating_add);
+    if count > MAX_DEVICES {
+        return Err(at(&["device"], format!("{MAX_DEVICES} devices at most")));
+    }
     let mut devices: Vec<DeviceConfig> = Vec::new();
+    let mut names = HashSet::new();
     for (index, entry) in bench.device.into_iter().enumerate() {
         let number = index.to_string();
         let wrong = |path: &[&str], problem: String| at(&[&["device", &number], path].concat(), problem);
-        let device = device(entry, models, &wrong)?;
-        if devices.iter().any(|other| other.name == device.name) {
-            return Err(wrong(&["name"], format!("there is already a device named `{}`", device.name)));
+        for entry in each(entry, &wrong)? {
+            let device = device(entry, models, &wrong)?;
+            if !names.insert(device.name.clone()) {
+                return Err(wrong(&["name"], format!("there is already a device named `{}`", device.name)));
+            }
+            for endpoint in &device.listen {
+                let place = device.fits(endpoint, &devices);
+                place.map_err(|error| wrong(&["listen"], format!("{endpoint}: {error}")))?;
+            }
+            devices.push(device);
         }
-        for endpoint in &device.listen {
-            let place = device.fits(endpoint, &devices);
-            place.map_err(|error| wrong(&["listen"], format!("{endpoint}: {error}")))?;
-        }
-        devices.push(device);
     }
     Ok(Bench { devices })
+}
+
+/// The entries of the devices that one entry stands for.
+fn each(entry: DeviceEntry, wrong: Wrong<'_>) -> Result<Vec<DeviceEntry>, BenchError> {
+    let Some(count) = entry.count else { return Ok(vec![entry]) };
+    if entry.name.as_ref().is_some_and(|name| !fleet::is_numbered(name)) {
+        return Err(wrong(&["name"], "where there is a `count` it has `{n}` in it".into()));
+    }
+    let name = entry.name.clone().unwrap_or_else(|| format!("{}-{{n}}", entry.model));
+    let numbered =
+        |key, text: &str, number| fleet::numbered(text, number).map_err(|problem| wrong(&[key], problem));
+    let one = |number| {
+        let listen = entry.listen.iter().map(|endpoint| numbered("listen", endpoint, number));
+        Ok(DeviceEntry {
+            name: Some(numbered("name", &name, number)?),
+            listen: listen.collect::<Result<_, _>>()?,
+            ..entry.clone()
+        })
+    };
+    (1..=count).map(one).collect()
 }
 
 type Wrong<'a> = &'a dyn Fn(&[&str], String) -> BenchError;

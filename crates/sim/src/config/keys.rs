@@ -68,6 +68,12 @@ pub(crate) const BENCH: &[Key] = &[needed("device", Form::Tables(MAX_DEVICES, DE
 
 pub(crate) const DEVICE: &[Key] = &[
     needed("model", Form::Model, "", "What it is."),
+    key(
+        "count",
+        Form::Whole([1, MAX_DEVICES as i64]),
+        "",
+        "So many devices like this; `{n}` or `{4000+n}` in names and endpoints is the number of each, from 1.",
+    ),
     key("name", Form::Name, "", "What it is called; by default like its model."),
     key("listen", Form::Texts, "", "Endpoints at which it can be reached."),
     key("supply", Form::Number([0.0, 1000.0]), "V", "Motor supply; 24 by default."),

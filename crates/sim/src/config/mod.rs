@@ -3,6 +3,7 @@
 mod axis;
 mod endpoint;
 mod file;
+mod fleet;
 mod keys;
 mod reference;
 mod schema;
@@ -20,13 +21,17 @@ pub(crate) use source::{Source, read as read_text};
 use crate::machine::fitting::fitting;
 use devices::Model;
 use serde::{Deserialize, Serialize};
-use std::{collections::BTreeMap, fmt, path::Path};
+use std::{
+    collections::{BTreeMap, HashMap},
+    fmt,
+    path::Path,
+};
 
 /// Positions of switches and the like lie this many pulses from 0 at most.
 pub const MAX_PULSES: i64 = 1 << 40;
 
 /// Most devices of one bench file.
-pub const MAX_DEVICES: usize = 256;
+pub const MAX_DEVICES: usize = 10_000;
 
 /// Motor supply where a bench file names none, in volts.
 pub const DEFAULT_SUPPLY_V: f64 = 24.0;
@@ -301,13 +306,15 @@ impl Bus {
 /// bus, except that a port 0 is an endpoint of its own each time.
 pub fn buses(devices: &[DeviceConfig]) -> Vec<Bus> {
     let mut buses: Vec<Bus> = Vec::new();
+    let mut shared = HashMap::new();
     for (index, device) in devices.iter().enumerate() {
         for endpoint in &device.listen {
-            let known = buses.iter_mut().find(|bus| endpoint.can_be_shared() && bus.endpoint == *endpoint);
-            match known {
-                Some(bus) => bus.members.push(index),
-                None => buses.push(Bus { endpoint: endpoint.clone(), members: vec![index] }),
+            let next = buses.len();
+            let place = if endpoint.can_be_shared() { *shared.entry(endpoint).or_insert(next) } else { next };
+            if place == next {
+                buses.push(Bus { endpoint: endpoint.clone(), members: Vec::new() });
             }
+            buses[place].members.push(index);
         }
     }
     buses

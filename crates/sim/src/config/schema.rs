@@ -39,7 +39,7 @@ fn form(form: Form) -> Value {
             let models: Vec<_> = devices::MODELS.iter().map(|model| model.name).collect();
             json!({ "enum": models })
         }
-        Form::Name => json!({ "type": "string", "pattern": "^[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}$" }),
+        Form::Name => json!({ "type": "string", "pattern": "^[A-Za-z0-9_{-][A-Za-z0-9._{+}-]{0,63}$" }),
         Form::Text => json!({ "type": "string" }),
         Form::Switch => json!({ "type": "boolean" }),
         Form::Whole([least, most]) => json!({ "type": "integer", "minimum": least, "maximum": most }),

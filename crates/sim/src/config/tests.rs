@@ -384,3 +384,32 @@ fn a_hid_endpoint_has_one_device() {
     assert_eq!(bench(["hid-tcp:h:1", "hid-tcp:h:2"]), Ok(2));
     assert_eq!(bench(["tcp:h:1"; 2]), Ok(2));
 }
+
+#[test]
+fn one_entry_can_be_many_devices() {
+    let text =
+        "[[device]]\nmodel = \"test\"\ncount = 3\nlisten = [\"tcp:h:{4000+n}\", \"tcp:h:9\"]\nseed = 5\n";
+    let devices = parse(text).unwrap().devices;
+    let names: Vec<_> = devices.iter().map(|device| device.name.as_str()).collect();
+    assert_eq!(names, ["test-1", "test-2", "test-3"]);
+    assert_eq!(devices[2].listen[0].to_string(), "tcp:h:4003");
+    assert_eq!(devices[1].seed, Some(5));
+    let buses = buses(&devices);
+    assert_eq!(buses.iter().map(|bus| bus.members.len()).collect::<Vec<_>>(), [1, 3, 1, 1]);
+
+    let entry = |entries: &str| format!("[[device]]\nmodel = \"test\"\n{entries}");
+    check(&(entry("count = 10000\n") + "[[device]]\nmodel = \"test\""), "bench.toml:1: device: 10000 devices at most");
+    check(&entry("count = 0"), "bench.toml:3: device.count: 0 is outside 1 to 10000");
+    check(
+        &entry("count = 2\nname = \"a\""),
+        "bench.toml:4: device.name: where there is a `count` it has `{n}` in it",
+    );
+    check(
+        &entry("count = 2\nlisten = [\"tcp:h:{4000}\"]"),
+        "bench.toml:4: device.listen: `{4000}` is not of the form `{n}` or `{4000+n}`",
+    );
+    check(
+        &entry("count = 2\nlisten = [\"tcp:h:{65534+n}\"]"),
+        "bench.toml:4: device.listen: `65536` is not a port: 0 to 65535",
+    );
+}
