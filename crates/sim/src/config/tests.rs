@@ -398,7 +398,10 @@ fn one_entry_can_be_many_devices() {
     assert_eq!(buses.iter().map(|bus| bus.members.len()).collect::<Vec<_>>(), [1, 3, 1, 1]);
 
     let entry = |entries: &str| format!("[[device]]\nmodel = \"test\"\n{entries}");
-    check(&(entry("count = 10000\n") + "[[device]]\nmodel = \"test\""), "bench.toml:1: device: 10000 devices at most");
+    check(
+        &(entry("count = 10000\n") + "[[device]]\nmodel = \"test\""),
+        "bench.toml:1: device: 10000 devices at most",
+    );
     check(&entry("count = 0"), "bench.toml:3: device.count: 0 is outside 1 to 10000");
     check(
         &entry("count = 2\nname = \"a\""),
