@@ -46,9 +46,6 @@ pub trait Flash {
 }
 
 #[cfg(feature = "std")]
-extern crate alloc;
-
-#[cfg(feature = "std")]
 impl<F: Flash + ?Sized> Flash for alloc::boxed::Box<F> {
     fn capacity(&self) -> u32 {
         (**self).capacity()

@@ -5,6 +5,9 @@
 //! sockets, files, threads, or the machine behind its pins.
 #![cfg_attr(not(test), no_std)]
 
+#[cfg(feature = "std")]
+extern crate alloc;
+
 pub mod ascii;
 pub mod board;
 pub mod cmd4cr;

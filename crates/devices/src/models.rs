@@ -1,7 +1,5 @@
 //! The list of controllers. A new one is a folder beside this file and one line here.
 
-extern crate alloc;
-
 use crate::{Controller, cmd4cr, flash::Flash, pd42, pmx2ed};
 use alloc::boxed::Box;
 

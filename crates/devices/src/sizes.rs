@@ -29,19 +29,21 @@ impl Flash for Silent {
     }
 }
 
-/// Bytes on a host with 64 bits; a chip with 32 takes a little less.
-const PD42_BYTES: usize = 20_400;
-const PMX2ED_BYTES: usize = 23_500;
-const CMD4CR_BYTES: usize = 46_600;
+/// Bytes on a host with 64 bits, where room for programs and the like is taken when it is needed.
+#[cfg(feature = "std")]
+const CONTROLLER_BYTES: [usize; 3] = [5_900, 8_000, 13_000];
+/// With all that a chip sets aside; one with 32 bits takes a little less.
+#[cfg(not(feature = "std"))]
+const CONTROLLER_BYTES: [usize; 3] = [20_400, 23_500, 46_600];
 const AXIS_BYTES: usize = 2_400;
 const PATH_BYTES: usize = 1_300;
 
 #[test]
 fn controllers_do_not_grow_unseen() {
     for (name, size, bound) in [
-        ("Pd42", size_of::<Pd42<Silent>>(), PD42_BYTES),
-        ("Pmx2ed", size_of::<Pmx2ed<Silent>>(), PMX2ED_BYTES),
-        ("Cmd4cr", size_of::<Cmd4cr<Silent>>(), CMD4CR_BYTES),
+        ("Pd42", size_of::<Pd42<Silent>>(), CONTROLLER_BYTES[0]),
+        ("Pmx2ed", size_of::<Pmx2ed<Silent>>(), CONTROLLER_BYTES[1]),
+        ("Cmd4cr", size_of::<Cmd4cr<Silent>>(), CONTROLLER_BYTES[2]),
         ("Axis", size_of::<Axis>(), AXIS_BYTES),
         ("Path", size_of::<Path<4>>(), PATH_BYTES),
     ] {

@@ -1,15 +1,23 @@
-//! What the threads share: lines, and the variables.
+//! What the threads share: lines, and the variables. On a chip room is set aside for all lines; on a host, where
+//! there may be thousands of controllers, there is as much as the programs need.
 
 use crate::isa::{PROGRAMS, SUBROUTINES};
 use crate::line::{Line, Operand};
+use core::iter::repeat_n;
 
 /// No line.
 const NOWHERE: u16 = u16::MAX;
 
+#[cfg(feature = "std")]
+type Room<const LINES: usize> = std::vec::Vec<Line>;
+#[cfg(not(feature = "std"))]
+type Room<const LINES: usize> = heapless::Vec<Line, LINES>;
+
 /// Lines and variables, which all threads of a controller share.
 #[derive(Clone, Debug)]
 pub struct Memory<const LINES: usize, const VARIABLES: usize> {
-    pub(super) lines: [Line; LINES],
+    /// Those up to the last one that was written; those behind it are empty.
+    pub(super) lines: Room<LINES>,
     pub(super) variables: [i32; VARIABLES],
     /// The line of each `PRG` and `SUB`, or [`NOWHERE`].
     programs: [u16; PROGRAMS as usize],
@@ -27,7 +35,7 @@ impl<const LINES: usize, const VARIABLES: usize> Memory<LINES, VARIABLES> {
     pub const fn new() -> Self {
         assert!(LINES < NOWHERE as usize && VARIABLES <= Operand::VARIABLES as usize);
         Self {
-            lines: [Line::Empty; LINES],
+            lines: Room::<LINES>::new(),
             variables: [0; VARIABLES],
             programs: [NOWHERE; PROGRAMS as usize],
             subroutines: [NOWHERE; SUBROUTINES as usize],
@@ -36,18 +44,24 @@ impl<const LINES: usize, const VARIABLES: usize> Memory<LINES, VARIABLES> {
 
     /// A line; `None` if the memory has none there.
     pub fn line(&self, address: u16) -> Option<Line> {
-        self.lines.get(usize::from(address)).copied()
+        let address = usize::from(address);
+        (address < LINES).then(|| self.lines.get(address).copied().unwrap_or(Line::Empty))
     }
 
-    /// All lines.
-    pub const fn lines(&self) -> &[Line; LINES] {
+    /// The lines up to the last one that was written.
+    pub fn lines(&self) -> &[Line] {
         &self.lines
     }
 
     /// Puts a line there. Returns whether the memory reaches that far.
     pub fn set_line(&mut self, address: u16, line: Line) -> bool {
-        let Some(place) = self.lines.get_mut(usize::from(address)) else { return false };
-        let old = core::mem::replace(place, line);
+        let address = usize::from(address);
+        if address >= LINES {
+            return false;
+        }
+        let missing = (address + 1).saturating_sub(self.lines.len());
+        self.lines.extend(repeat_n(Line::Empty, missing));
+        let old = core::mem::replace(&mut self.lines[address], line);
         self.find(old);
         self.find(line);
         true
@@ -56,9 +70,11 @@ impl<const LINES: usize, const VARIABLES: usize> Memory<LINES, VARIABLES> {
     /// Puts these lines at the beginning of the memory, and nothing behind them. Returns whether there is
     /// room; if not, nothing has changed.
     pub fn load(&mut self, lines: &[Line]) -> bool {
-        let Some(places) = self.lines.get_mut(..lines.len()) else { return false };
-        places.copy_from_slice(lines);
-        self.lines[lines.len()..].fill(Line::Empty);
+        if lines.len() > LINES {
+            return false;
+        }
+        self.lines.clear();
+        self.lines.extend(lines.iter().copied());
         (0..PROGRAMS).for_each(|number| self.find(Line::Program(number)));
         (0..SUBROUTINES).for_each(|number| self.find(Line::Subroutine(number)));
         true

@@ -20,6 +20,9 @@ const MOVING: usize = 10;
 /// A moving controller is sent the other way after so many polls.
 const POLLS_A_MOVE: u32 = 10;
 
+/// Polls of a controller that are not counted: its connection is still to be accepted.
+const WARM_UP: u32 = 5;
+
 /// Longest wait for a reply; then the connection is given up.
 const PATIENCE: Duration = Duration::from_secs(5);
 
@@ -153,8 +156,10 @@ impl Client {
                 self.ask(self.talk.moves[(round / POLLS_A_MOVE % 2) as usize]).await;
             }
             let time = self.ask(self.talk.poll).await;
-            late.missed += usize::from(time > PERIOD);
-            late.times.push(time);
+            if round >= WARM_UP {
+                late.missed += usize::from(time > PERIOD);
+                late.times.push(time);
+            }
         }
         late
     }

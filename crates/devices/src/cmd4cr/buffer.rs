@@ -12,7 +12,6 @@ use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::path::Move;
 use ::motion::pps::{self, COMMANDER};
-use heapless::Deque;
 
 /// Registers of the buffer.
 pub const REGISTERS: usize = 100;
@@ -22,6 +21,12 @@ pub const MOVABLE: u8 = 0b111;
 
 /// U, which a helix needs, as a bit.
 const HELPER: u8 = 0b1000;
+
+/// What has been added and not taken out. A chip sets aside room for all registers; a host takes it when it is needed.
+#[cfg(feature = "std")]
+type Entries = alloc::collections::VecDeque<Entry>;
+#[cfg(not(feature = "std"))]
+type Entries = heapless::Deque<Entry, REGISTERS>;
 
 /// What a register holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +48,7 @@ pub struct Buffer {
     on: bool,
     /// Moves are taken out and executed.
     runs: bool,
-    entries: Deque<Entry, REGISTERS>,
+    entries: Entries,
     /// How many were added, and taken out, since it was switched on.
     added: usize,
     taken: usize,
@@ -58,7 +63,7 @@ impl Buffer {
         Self {
             on: false,
             runs: false,
-            entries: Deque::new(),
+            entries: Entries::new(),
             added: 0,
             taken: 0,
             end: [0; AXIS_COUNT],
@@ -197,7 +202,10 @@ impl<F: Flash> Cmd4cr<F> {
         if !end.iter().all(|position| POSITIONS.contains(position)) {
             return Err(Refusal::Index);
         }
-        self.buffer.entries.push_back(entry).map_err(|_| Refusal::BufferFull)?;
+        if self.buffer.entries.len() == REGISTERS {
+            return Err(Refusal::BufferFull);
+        }
+        self.buffer.entries.extend([entry]);
         self.buffer.end = end;
         self.buffer.added += 1;
         Ok(())

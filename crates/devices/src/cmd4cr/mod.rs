@@ -47,7 +47,7 @@ use buffer::Buffer;
 use capture::Capture;
 use erc::ErrorClear;
 use memory::Memory;
-use path::Ride;
+use path::Rides;
 use pins::number as pin;
 use program::THREADS;
 use pulser::Pulser;
@@ -86,8 +86,7 @@ pub struct Cmd4cr<F: Flash> {
     clears: [ErrorClear; AXIS_COUNT],
     captures: [Capture; AXIS_COUNT],
     pulsers: [Pulser; AXIS_COUNT],
-    /// Room for interpolated moves: an axis is in one at the most.
-    rides: [Ride; AXIS_COUNT],
+    rides: Rides,
     buffer: Buffer,
     waiting: Waiting,
     /// Targets count from the position.
@@ -123,7 +122,7 @@ impl<F: Flash> Cmd4cr<F> {
             clears: [ErrorClear::new(); AXIS_COUNT],
             captures: [const { Capture::new() }; AXIS_COUNT],
             pulsers: [const { Pulser::new() }; AXIS_COUNT],
-            rides: [const { Ride::new() }; AXIS_COUNT],
+            rides: Rides::new(),
             buffer: Buffer::new(),
             waiting: Waiting::new(),
             incremental: false,
@@ -179,7 +178,7 @@ impl<F: Flash> Cmd4cr<F> {
     fn die(&mut self) {
         self.dead = true;
         self.axes.iter_mut().for_each(Axis::halt);
-        self.rides.iter_mut().for_each(Ride::clear);
+        self.rides.clear();
         self.tick_at = None;
     }
 }
@@ -225,7 +224,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
     }
 
     fn due(&self) -> Ticks {
-        let rides = self.rides.iter().filter(|ride| ride.is_on()).map(|ride| self.ride_due(ride));
+        let rides = self.rides.iter().map(|ride| self.ride_due(ride));
         let clears = self.clears.iter().map(ErrorClear::due);
         let captures = self.captures.iter().map(Capture::due);
         let axes = self.axes.iter().map(Axis::due);
@@ -239,7 +238,7 @@ impl<F: Flash> Clocked for Cmd4cr<F> {
         for (number, axis) in self.axes.iter_mut().enumerate() {
             axis.advance(clock, |train| board.pulses(number, train));
         }
-        for ride in self.rides.iter_mut().filter(|ride| ride.is_on()) {
+        for ride in &mut self.rides {
             ride.path.advance(clock, &mut self.axes, |axis, train| board.pulses(axis, train));
         }
         self.now = clock;
@@ -336,7 +335,7 @@ impl<F: Flash> Controller for Cmd4cr<F> {
     }
 
     fn is_moving(&self) -> bool {
-        self.rides.iter().any(Ride::is_on) || self.axes.iter().any(Axis::is_moving)
+        !self.rides.is_empty() || self.axes.iter().any(Axis::is_moving)
     }
 
     fn receive(&mut self, port: Port, bytes: &[u8], board: &mut dyn Board) {

@@ -84,11 +84,18 @@ pub fn held(limits: Limits, arc: &Arc) -> Limits {
     }
 }
 
-/// An interpolated move, or room for one.
+/// The interpolated moves that are on: an axis is in one at the most. A chip sets aside room for all; a host takes it
+/// when it is needed.
+#[cfg(feature = "std")]
+pub type Rides = alloc::vec::Vec<Ride>;
+#[cfg(not(feature = "std"))]
+pub type Rides = heapless::Vec<Ride, AXIS_COUNT>;
+
+/// An interpolated move.
 #[derive(Debug)]
 pub struct Ride {
     pub path: Path<AXIS_COUNT>,
-    /// The axes that it needs, as bits; none if it is not on.
+    /// The axes that it needs, as bits.
     members: u8,
     /// Its limits where no slowdown input is on.
     limits: Limits,
@@ -97,20 +104,9 @@ pub struct Ride {
 }
 
 impl Ride {
-    /// None that is on.
-    pub const fn new() -> Self {
+    /// One that is about to set out.
+    const fn new() -> Self {
         Self { path: Path::idle(), members: 0, limits: resting().limits(), buffered: false }
-    }
-
-    /// Whether it is on.
-    pub const fn is_on(&self) -> bool {
-        self.members != 0
-    }
-
-    /// It is no longer on.
-    pub fn clear(&mut self) {
-        self.path.clear();
-        (self.members, self.buffered) = (0, false);
     }
 }
 
@@ -193,8 +189,9 @@ impl<F: Flash> Cmd4cr<F> {
         buffered: bool,
         board: &mut dyn Board,
     ) {
-        let ride = self.rides.iter_mut().find(|ride| !ride.is_on());
-        let ride = ride.expect("an axis is in one interpolated move at the most");
+        assert!(self.rides.len() < AXIS_COUNT, "an axis is in one interpolated move at the most");
+        self.rides.extend([Ride::new()]);
+        let ride = self.rides.last_mut().expect("there is one at least");
         ride.path.set_out(limits, course, self.now, &mut self.axes);
         let moved = |axis: &usize| ride.path.involves(*axis) || helped && *axis == HELPER;
         let members = (0..AXIS_COUNT).filter(moved).map(|axis| 1 << axis).sum();
@@ -237,10 +234,11 @@ impl<F: Flash> Cmd4cr<F> {
     /// Takes out the rides that have ended; the axes that they had, as bits.
     pub fn take_ended_rides(&mut self) -> u8 {
         let mut ended = 0;
-        for ride in self.rides.iter_mut().filter(|ride| ride.is_on() && !ride.path.is_moving()) {
-            ended |= ride.members;
-            ride.clear();
-        }
+        self.rides.retain(|ride| {
+            let goes_on = ride.path.is_moving();
+            ended |= if goes_on { 0 } else { ride.members };
+            goes_on
+        });
         ended
     }
 }

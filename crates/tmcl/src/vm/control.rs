@@ -33,17 +33,24 @@ pub(super) fn address(value: i32) -> Result<u16, AddressError> {
 impl Vm {
     /// The content of the program memory.
     pub fn program(&self) -> impl ExactSizeIterator<Item = Command> {
-        self.memory.iter().map(|cell| cell.command())
+        (0..PROGRAM_LENGTH).map(|address| self.cell(address).command())
     }
 
     /// A cell of it; `None` if the memory has none there.
     pub fn command(&self, address: usize) -> Option<Command> {
-        self.memory.get(address).map(|cell| cell.command())
+        (address < PROGRAM_LENGTH).then(|| self.cell(address).command())
+    }
+
+    fn cell(&self, address: usize) -> Cell {
+        self.memory.get(address).copied().unwrap_or(Cell::EMPTY)
     }
 
     /// Writes a cell of the program memory.
     pub fn store(&mut self, address: usize, command: Command) -> Result<(), AddressError> {
-        *self.memory.get_mut(address).ok_or(AddressError)? = Cell::new(command);
+        if address >= PROGRAM_LENGTH {
+            return Err(AddressError);
+        }
+        self.memory.set(address, Cell::new(command));
         Ok(())
     }
 
@@ -53,15 +60,15 @@ impl Vm {
             return Err(AddressError);
         }
         self.erase();
-        for (cell, &command) in self.memory.iter_mut().zip(program) {
-            *cell = Cell::new(command);
+        for (address, &command) in program.iter().enumerate() {
+            self.memory.set(address, Cell::new(command));
         }
         Ok(())
     }
 
     /// Empties the program memory.
     pub fn erase(&mut self) {
-        self.memory.fill(Cell::EMPTY);
+        self.memory.clear();
     }
 
     /// Command 129: runs the program from `address`, with empty stacks, or from where it stands. A

@@ -25,8 +25,8 @@ pub use direct::Direct;
 #[cfg(feature = "std")]
 pub use situation::Situation;
 
-use crate::isa::{Command, PROGRAM_LENGTH, VARIABLES, WaitFor};
-use cell::Cell;
+use crate::isa::{Command, VARIABLES, WaitFor};
+use cell::Cells;
 use interrupts::Interrupts;
 use protocol::tmcl::Status;
 use registers::Registers;
@@ -42,7 +42,7 @@ type Variables = [i32; VARIABLES];
 /// Program memory, registers and state of a program.
 #[derive(Clone, Debug)]
 pub struct Vm {
-    memory: [Cell; PROGRAM_LENGTH],
+    memory: Cells,
     variables: Variables,
     registers: Registers,
     counter: u16,
@@ -179,7 +179,7 @@ impl Vm {
     /// One with empty memory and all variables 0, standing still.
     pub const fn new() -> Self {
         Self {
-            memory: [Cell::EMPTY; PROGRAM_LENGTH],
+            memory: Cells::new(),
             variables: [0; VARIABLES],
             registers: Registers::RESET,
             counter: 0,
@@ -210,7 +210,7 @@ impl Vm {
             past_breakpoint,
             instructions,
         } = self;
-        memory.fill(Cell::EMPTY);
+        memory.clear();
         variables.fill(0);
         (*registers, *counter, *interrupts) = (Registers::RESET, 0, Interrupts::new());
         (*mode, *step, *pending) = (Mode::Stop, false, Pending::Nothing);
