@@ -22,9 +22,6 @@ const MAX_CORE_PART: f64 = 1.0;
 const MAX_P999: Duration = Duration::from_millis(50);
 const MAX_CONTROLLER_KIB: f64 = 16.0;
 
-/// What a controller of four axes takes more than that, so far.
-const MAX_COMMANDER_KIB: f64 = 32.0;
-
 /// What was measured of one server.
 struct Row {
     name: String,
