@@ -15,7 +15,7 @@ use crate::{
     record::Note,
     tape::Act,
 };
-use devices::{PinKind, Port, ProgramRun};
+use devices::{PinKind, Port, ProgramRun, ProgramState};
 use motion::Ticks;
 
 /// All faults of a device.
@@ -28,6 +28,36 @@ pub(super) struct Faults {
     effects: Effects,
     /// When something is looked for next that nobody tells of; `None` if there is no such thing.
     look_at: Option<Ticks>,
+    /// The programs in the last look.
+    programs: Vec<Glance>,
+}
+
+/// A program in a look.
+#[derive(Clone, Copy, Debug)]
+struct Glance {
+    state: ProgramState,
+    /// For how many looks it has been at this command.
+    still: u32,
+}
+
+impl Glance {
+    /// A program that is at a command for more looks than one takes is waiting there.
+    const WAITS: u32 = 3;
+
+    fn next(self, state: ProgramState) -> Self {
+        let is_still = self.state.counter == state.counter;
+        Self { state, still: if is_still { self.still.saturating_add(1) } else { 0 } }
+    }
+
+    /// Whether it has come to an address since the look before. What follows a command that waits is executed
+    /// in the clock in which the wait is over: nobody sees it stand there.
+    fn reaches(self, before: Self, address: u32) -> bool {
+        let stands = self.state.run == ProgramRun::Running && self.state.counter == address;
+        let went_on = before.still >= Self::WAITS
+            && self.state.counter != before.state.counter
+            && self.state.instructions > before.state.instructions;
+        stands || went_on && address == before.state.counter + 1
+    }
 }
 
 /// A fault to come.
@@ -98,7 +128,14 @@ impl Faults {
     /// None at all.
     pub fn none(parts: &Parts) -> Self {
         let effects = Effects::none(parts);
-        Self { made: 0, waiting: Vec::new(), active: Vec::new(), effects, look_at: None }
+        Self {
+            made: 0,
+            waiting: Vec::new(),
+            active: Vec::new(),
+            effects,
+            look_at: None,
+            programs: Vec::new(),
+        }
     }
 
     /// How much more an axis is loaded.
@@ -221,6 +258,7 @@ impl VirtualDevice {
     /// Does what is due because of faults, until nothing is.
     pub(super) fn tend_faults(&mut self) {
         let now = self.now();
+        self.world.take_in();
         let is_look = self.faults.look_at.is_some_and(|at| at <= now);
         if is_look {
             self.look();
@@ -234,6 +272,7 @@ impl VirtualDevice {
             });
         if !needs_looks {
             self.faults.look_at = None;
+            self.faults.programs.clear();
         } else if is_look || self.faults.look_at.is_none() {
             self.faults.look_at = Some(next_look(now, self.clock_hz));
         }
@@ -326,10 +365,17 @@ impl VirtualDevice {
     /// Looks for what nobody tells of.
     fn look(&mut self) {
         let movements: Vec<_> = (0..self.axes().len()).map(|axis| self.movement_of(axis)).collect();
-        let programs: Vec<_> = self.programs().collect();
-        let at = |number: usize, address: u32| {
-            let program = programs.get(number);
-            program.is_some_and(|program| program.run == ProgramRun::Running && program.counter == address)
+        let states: Vec<_> = self.programs().collect();
+        let before = std::mem::take(&mut self.faults.programs);
+        // In the first look they have been where they are.
+        let before = if before.len() == states.len() {
+            before
+        } else {
+            states.iter().map(|state| Glance { state: *state, still: 0 }).collect()
+        };
+        let now: Vec<_> = before.iter().zip(states).map(|(before, state)| before.next(state)).collect();
+        let reaches = |number: usize, address: u32| {
+            now.get(number).is_some_and(|program| program.reaches(before[number], address))
         };
         self.release(|waiting| match &mut waiting.until {
             Until::Motion { axis, motion, was_moving, odometer } => {
@@ -341,12 +387,13 @@ impl VirtualDevice {
                     Motion::Stops => was && !moves,
                 }
             }
-            Until::Address { program: Some(number), address } => at(usize::from(*number), *address),
+            Until::Address { program: Some(number), address } => reaches(usize::from(*number), *address),
             Until::Address { program: None, address } => {
-                (0..programs.len()).any(|number| at(number, *address))
+                (0..now.len()).any(|number| reaches(number, *address))
             }
             _ => false,
         });
+        self.faults.programs = now;
     }
 
     /// What these faults waited for has happened.

@@ -218,3 +218,15 @@ fn looks_are_evenly_spaced() {
         assert_eq!(looks, trigger::LOOKS_PER_SECOND);
     }
 }
+
+/// The table of kinds says which tests hold them.
+#[test]
+fn each_kind_has_its_tests() {
+    let tests = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for file in ["pd42/faults.rs", "ascii/faults.rs"] {
+        let text = std::fs::read_to_string(tests.join(file)).unwrap();
+        for row in KINDS.iter().filter(|row| row.name != "supply_dip" || file.starts_with("pd42")) {
+            assert!(text.contains(&format!("#[test]\nfn {}() {{", row.test)), "{}: {}", file, row.test);
+        }
+    }
+}

@@ -97,6 +97,27 @@ fn commands(model: &str) -> Vec<Vec<u8>> {
     }
 }
 
+/// What may be wrong with any of them, and when; not every device takes each.
+const FAULTS: &[&str] = &[
+    r#"{"kind":"stuck_switch","pin":"HOME","duration":0.01}"#,
+    r#"{"kind":"stuck_switch","pin":"HX","value":true,"on":{"axis":"AXIS","position":700},"duration":0.3}"#,
+    r#"{"kind":"bouncing_switch","pin":"HOME","ms":7,"on":{"axis":"AXIS","position":-55}}"#,
+    r#"{"kind":"bouncing_switch","pin":"HX","ms":7}"#,
+    r#"{"kind":"broken_encoder","axis":"AXIS","on":{"axis":"AXIS","motion":"starts"},"duration":0.2}"#,
+    r#"{"kind":"slip","axis":"AXIS","pulses":35,"on":{"axis":"AXIS","position":222}}"#,
+    r#"{"kind":"extra_load","axis":"AXIS","load":0.6,"on":{"axis":"AXIS","motion":"stops"},"duration":0.05}"#,
+    r#"{"kind":"supply_dip","volts":8,"at":0.01,"duration":0.02}"#,
+    r#"{"kind":"brown_out","on":{"message":3},"after":0.0005,"duration":0.02}"#,
+    r#"{"kind":"power_cut","on":{"pin":"DO1"},"duration":0.03}"#,
+    r#"{"kind":"power_cut","at":0.02,"duration":0.01}"#,
+    r#"{"kind":"noise","rate":0.003}"#,
+    r#"{"kind":"loss","rate":0.02,"on":{"message":2},"duration":0.1}"#,
+    r#"{"kind":"duplication","rate":0.02,"way":"in","duration":0.1}"#,
+    r#"{"kind":"delay","ms":9,"duration":0.1}"#,
+    r#"{"kind":"babbling_node","port":"usb","ms":11,"duration":0.3}"#,
+    r#"{"kind":"stuck_switch","pin":"DI1","value":true,"on":{"address":2},"duration":0.3}"#,
+];
+
 /// Drives a device for a while at moments that nobody planned.
 fn torment(device: &mut VirtualDevice, random: &mut Pcg32) {
     let commands = commands(device.config().model.name);
@@ -106,7 +127,16 @@ fn torment(device: &mut VirtualDevice, random: &mut Pcg32) {
             let to = device.now() + Ticks::from(random.next_u32() % 400_000);
             device.advance(to);
         }
-        match random.next_u32() % 16 {
+        match random.next_u32() % 20 {
+            16 | 17 => {
+                let entry = FAULTS[random.next_u32() as usize % FAULTS.len()];
+                drop(device.plan_entry(&serde_json::from_str(&entry.replace("AXIS", axis)).unwrap()));
+            }
+            18 => {
+                let oldest = device.faults().first().map(|fault| fault.id);
+                oldest.into_iter().for_each(|id| device.clear_fault(id).unwrap());
+            }
+            19 if random.next_u32().is_multiple_of(4) => device.clear_faults(),
             0 => device.set_load(axis, f64::from(random.next_u32() % 3) * 0.45).unwrap(),
             1 => device.push(axis, i64::from(random.next_u32() % 100)).unwrap(),
             2 => device.lose(axis, 5).unwrap(),

@@ -3,6 +3,7 @@
 
 mod closed_loop;
 pub mod examples;
+mod faults;
 pub mod io;
 pub mod joystick;
 pub mod programs;

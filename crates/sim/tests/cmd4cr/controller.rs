@@ -82,3 +82,6 @@ pub const LIMIT_ERRORS: i32 = 0x300;
 pub fn line(x: i32, y: i32) -> String {
     format!("X{x}Y{y}")
 }
+
+/// Its address on RS-485.
+pub const ADDRESS: &str = "01";

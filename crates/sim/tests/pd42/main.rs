@@ -5,6 +5,7 @@ mod axis_parameters;
 mod commands;
 mod control;
 mod driver;
+mod faults;
 mod global_parameters;
 mod power;
 mod programs;

@@ -73,3 +73,6 @@ pub const LIMIT_ERRORS: i32 = 0x180;
 pub fn line(x: i32, y: i32) -> String {
     format!("I{x}:{y}")
 }
+
+/// Its address on RS-485.
+pub const ADDRESS: &str = "00";
