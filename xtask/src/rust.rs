@@ -7,6 +7,11 @@ use crate::{
 };
 use anyhow::Result;
 
+/// What is off in a plain build because its libraries take long to build; the checks have it on.
+pub const OPTIONAL: &str = "parquet";
+/// The argument that has it on.
+pub const ALL: &str = "--features=parquet";
+
 /// `cargo fmt --check` on the workspace, the firmware and the fuzz targets.
 pub fn format(workplace: &Workplace) -> Result<()> {
     workplace.cargo(&["fmt", "--all", "--check"])?;
@@ -19,7 +24,7 @@ pub fn format(workplace: &Workplace) -> Result<()> {
 
 /// Clippy on libraries, programs, tests, examples and benches, and on the firmware.
 pub fn clippy(workplace: &Workplace) -> Result<()> {
-    workplace.cargo(&["clippy", "--locked", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
+    workplace.cargo(&["clippy", "--locked", "--workspace", "--all-targets", ALL, "--", "-D", "warnings"])?;
     firmware::clippy(workplace)
 }
 
@@ -43,21 +48,26 @@ pub fn no_std(workplace: &Workplace) -> Result<()> {
 /// Every test of the workspace.
 pub fn tests(workplace: &Workplace) -> Result<()> {
     tools::nextest(workplace)?;
-    workplace.cargo(&["nextest", "run", "--locked", "--workspace"])
+    workplace.cargo(&["nextest", "run", "--locked", "--workspace", ALL])
 }
 
 /// The examples in doc comments, which nextest does not run.
 pub fn doc_tests(workplace: &Workplace) -> Result<()> {
-    workplace.cargo(&["test", "--quiet", "--locked", "--workspace", "--doc"])
+    workplace.cargo(&["test", "--quiet", "--locked", "--workspace", ALL, "--doc"])
 }
 
 /// The API documentation; a dead link is an error.
 pub fn rustdoc(workplace: &Workplace) -> Result<()> {
-    let mut command = workplace.command("cargo", &["doc", "--locked", "--workspace", "--no-deps"]);
+    let mut command = workplace.command("cargo", &["doc", "--locked", "--workspace", ALL, "--no-deps"]);
     run(command.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
 /// The program as users build it.
 pub fn binary(workplace: &Workplace) -> Result<()> {
     workplace.cargo(&["build", "--locked", "--release", "-p", "cli"])
+}
+
+/// The program with everything in it.
+pub fn whole_binary(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["build", "--locked", "--release", "-p", "cli", ALL])
 }

@@ -29,6 +29,8 @@ pub enum Command {
         #[command(subcommand)]
         command: BenchCommand,
     },
+    /// Draw a recording
+    Plot(PlotArgs),
     /// Assemble a TMCL program
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
@@ -95,7 +97,8 @@ pub struct ServeArgs {
     /// Faults of the machines, and when they begin
     #[arg(long, value_name = "FILE")]
     pub scenario: Option<PathBuf>,
-    /// Write what happens to a file (.csv, .mcap, .svg or .vcd, one for each device; .ptr, a tape of all)
+    /// Write what happens to a file (.csv, .mcap, .parquet, .png, .svg or .vcd, one for each device; .ptr, a tape of
+    /// all)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
 }
@@ -120,10 +123,10 @@ pub struct RunArgs {
     /// Faults of the machine, and when they begin
     #[arg(long, value_name = "FILE")]
     pub scenario: Option<PathBuf>,
-    /// Write what happened to a file (.csv, .mcap or .vcd), or all that the device was told (.ptr)
+    /// Write what happened to a file (.csv, .mcap, .parquet or .vcd), or all that the device was told (.ptr)
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
-    /// Draw what happened (.svg)
+    /// Draw what happened (.svg or .png)
     #[arg(long, value_name = "FILE.svg")]
     pub plot: Option<PathBuf>,
     /// Print the result as JSON
@@ -137,9 +140,20 @@ pub struct ReplayArgs {
     /// The tape
     #[arg(value_name = "FILE.ptr")]
     pub tape: PathBuf,
-    /// Write what happens to a file as well (.csv, .mcap, .svg or .vcd), one for each device
+    /// Write what happens to a file as well (.csv, .mcap, .parquet, .png, .svg or .vcd), one for each device
     #[arg(long, value_name = "FILE")]
     pub record: Vec<PathBuf>,
+}
+
+/// Arguments of `plot`.
+#[derive(Group)]
+pub struct PlotArgs {
+    /// The recording (.csv, .mcap, .parquet or .vcd), or a tape (.ptr), which is played
+    #[arg(value_name = "FILE")]
+    pub recording: PathBuf,
+    /// The picture (.svg or .png), one for each device of a tape; without it FILE with the extension .svg
+    #[arg(short, long, value_name = "OUT")]
+    pub output: Option<PathBuf>,
 }
 
 /// Arguments of `asm`.

@@ -5,6 +5,7 @@
 
 mod args;
 mod bench;
+mod plot;
 mod programs;
 mod replay;
 mod run;
@@ -55,6 +56,7 @@ fn execute(command: Command) -> Outcome {
         Command::Run(args) => run::run(args),
         Command::Replay(args) => replay::replay(&args),
         Command::Bench { command } => bench::bench(&command),
+        Command::Plot(args) => plot::plot(&args),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Compile(args) => programs::compile_file(&args),

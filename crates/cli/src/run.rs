@@ -11,7 +11,7 @@ use sim::{
     Bench, DeviceConfig, RunOptions, RunResult, Scenario, SharedFlash, VirtualDevice,
     device::notice_text,
     fault::Planned,
-    record,
+    record::{self, Picture},
     run::Progress,
     tape::{self, Tape},
 };
@@ -41,9 +41,9 @@ pub fn run(args: RunArgs) -> Outcome {
     let head = [(&config, config.seed.unwrap_or(SEED), &flash)];
     let (tapes, files): (Vec<_>, Vec<_>) = args.record.iter().partition(|path| tape::is_tape(path));
     if let Some(plot) = &args.plot
-        && plot.extension().is_none_or(|extension| extension != "svg")
+        && Picture::of(plot).is_none()
     {
-        return Err(Failure::Line(format!("{}: a plot is an .svg file", plot.display())));
+        return Err(Failure::Line(format!("{}: a plot is an .svg or .png file", plot.display())));
     }
     let all: Vec<_> = args.record.iter().chain(&args.plot).collect();
     if let Some((_, file)) = all.iter().enumerate().find(|(at, file)| all[..*at].contains(file)) {

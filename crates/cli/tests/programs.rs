@@ -134,7 +134,7 @@ fn wrong_runs_are_refused_in_one_line() {
     check(&with(&["--at", "1:HOME=7"]), "`HOME` is digital");
     check(&with(&["--record", "a.mp3"]), "a.mp3: no recording format with this extension, known: .csv");
     check(&with(&["--record", "none/a.csv"]), "none/a.csv: No such file");
-    check(&with(&["--plot", "a.csv"]), "a.csv: a plot is an .svg file");
+    check(&with(&["--plot", "a.csv"]), "a.csv: a plot is an .svg or .png file");
     check(&with(&["--record", "a.csv", "--record", "a.csv"]), "a.csv: one file cannot hold two recordings");
     check(&with(&["--frobnicate"]), "unexpected argument '--frobnicate'");
 }

@@ -414,6 +414,8 @@ impl VirtualDevice {
             self.world.machine.lose(axis, *pulses);
             self.world.windows[axis] = None;
             self.settle();
+            // It is a moment, not a state.
+            self.world.record_note(Note::Cleared, &fault.to_string());
             return;
         }
         if fault.kind.is_on_wire() {

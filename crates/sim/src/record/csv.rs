@@ -3,19 +3,22 @@
 //! | column | in rows | meaning |
 //! |---|---|---|
 //! | `seconds` | all | device time, with all its digits |
-//! | `event` | all | `sample`, `started`, `target_reached`, `stopped`, `pin`, `drive`, `pulse` |
-//! | `axis` | all but `pin` | name of the axis |
+//! | `event` | all | `sample`, `started`, `target_reached`, `stopped`, `pin`, `drive`, `fault`, `cleared`, `notice`, `power_up`, `received`, `sent`, `pulse` |
+//! | `axis` | of axes | name of the axis |
 //! | `position`, `encoder` | `sample` | counters of the axis |
 //! | `speed` | `sample` | pulses a second |
 //! | `target`, `status` | `sample` | as the device defines them |
 //! | `pin` | `pin` | name of the pin |
 //! | `value` | `pin`, `drive`, `pulse` | level, or number in the pin's unit; coil current of 32; pulses from the start |
+//! | `steps` | `sample` | all pulses, in both directions |
+//! | `unit` | `pin` | of the value, if it has one |
+//! | `text` | `drive`, notes, bytes | full steps of an angle; what a fault or notice says; port and bytes in hexadecimal |
 //!
 //! A plotting program that takes the rows with `event` = `sample` has equally spaced series. Rows stand
 //! in order of time, except that `pulse` rows come when their train is over.
 
-use super::{Mark, RecordError, RecordInfo, Recorder, decimal_seconds};
-use devices::{AxisState, Drive};
+use super::{Mark, Note, RecordError, RecordInfo, Recorder, decimal_seconds, wire_text};
+use devices::{AxisState, Drive, Port};
 use motion::{Ticks, Train};
 use std::{io::Write, path::PathBuf};
 
@@ -31,8 +34,20 @@ pub enum Detail {
 /// How often the axes are written.
 pub const SAMPLES_PER_SECOND: u32 = 1000;
 
-const COLUMNS: [&str; 10] =
-    ["seconds", "event", "axis", "position", "encoder", "speed", "target", "status", "pin", "value"];
+const COLUMNS: [&str; 13] = [
+    "seconds", "event", "axis", "position", "encoder", "speed", "target", "status", "pin", "value", "steps",
+    "unit", "text",
+];
+
+/// The cells of a row that is no sample.
+#[derive(Default)]
+struct Event<'a> {
+    axis: &'a str,
+    pin: &'a str,
+    value: String,
+    unit: &'a str,
+    text: &'a str,
+}
 
 /// Writes CSV to a file or elsewhere.
 pub struct CsvRecorder<W: Write> {
@@ -60,15 +75,16 @@ impl<W: Write> CsvRecorder<W> {
         recorder
     }
 
-    fn put(&mut self, row: &[&str; 10]) {
+    fn put(&mut self, row: &[&str; COLUMNS.len()]) {
         if self.failure.is_none() {
             self.failure = self.writer.write_record(row).err();
         }
     }
 
-    fn event(&mut self, at: Ticks, event: &str, axis: usize, value: &str) {
+    fn event(&mut self, at: Ticks, event: &str, cells: &Event<'_>) {
         let seconds = decimal_seconds(at, self.info.clock_hz);
-        self.put(&[&seconds, event, self.info.axes[axis], "", "", "", "", "", "", value]);
+        let Event { axis, pin, value, unit, text } = cells;
+        self.put(&[&seconds, event, axis, "", "", "", "", "", pin, value, "", unit, text]);
     }
 }
 
@@ -82,25 +98,41 @@ impl<W: Write> Recorder for CsvRecorder<W> {
         if self.detail == Detail::Edges {
             for (number, edge) in (1..).zip(train.edges()) {
                 let odometer = self.odometers[axis] + number * sign;
-                self.event(edge, "pulse", axis, &odometer.to_string());
+                let cells =
+                    Event { axis: self.info.axes[axis], value: odometer.to_string(), ..Event::default() };
+                self.event(edge, "pulse", &cells);
             }
         }
         self.odometers[axis] += i64::from(train.count) * sign;
     }
 
     fn drive(&mut self, at: Ticks, axis: usize, drive: Drive) {
-        self.event(at, "drive", axis, &drive.current.to_string());
+        let Drive { step, parts, current } = drive;
+        let (axis, text) = (self.info.axes[axis], format!("step {step}/{parts}"));
+        let cells = Event { axis, value: current.to_string(), text: &text, ..Event::default() };
+        self.event(at, "drive", &cells);
     }
 
     fn pin(&mut self, at: Ticks, pin: usize, level: i32) {
-        let seconds = decimal_seconds(at, self.info.clock_hz);
         let pin = &self.info.pins[pin];
-        let value = f64::from(level) / f64::from(pin.scale);
-        self.put(&[&seconds, "pin", "", "", "", "", "", "", pin.name, &value.to_string()]);
+        let value = (f64::from(level) / f64::from(pin.scale)).to_string();
+        self.event(at, "pin", &Event { pin: pin.name, value, unit: pin.unit, ..Event::default() });
     }
 
     fn mark(&mut self, at: Ticks, axis: usize, mark: Mark) {
-        self.event(at, mark.name(), axis, "");
+        self.event(at, mark.name(), &Event { axis: self.info.axes[axis], ..Event::default() });
+    }
+
+    fn note(&mut self, at: Ticks, note: Note, text: &str) {
+        self.event(at, note.name(), &Event { text, ..Event::default() });
+    }
+
+    fn received(&mut self, at: Ticks, port: Port, bytes: &[u8]) {
+        self.event(at, "received", &Event { text: &wire_text(port, bytes), ..Event::default() });
+    }
+
+    fn sent(&mut self, at: Ticks, port: Port, bytes: &[u8]) {
+        self.event(at, "sent", &Event { text: &wire_text(port, bytes), ..Event::default() });
     }
 
     fn sample(&mut self, at: Ticks, axis: usize, state: &AxisState) {
@@ -115,6 +147,9 @@ impl<W: Write> Recorder for CsvRecorder<W> {
             &speed,
             &state.target.to_string(),
             &state.status.to_string(),
+            "",
+            "",
+            &state.steps.to_string(),
             "",
             "",
         ]);
@@ -148,6 +183,7 @@ mod tests {
         let mut recorder = CsvRecorder::new(&mut bytes, "a.csv", &stage(), detail);
         recorder.pin(0, 0, 12_500);
         recorder.drive(8, 0, Drive { step: 1, parts: 1, current: 31 });
+        recorder.received(8, Port::Usb, &[1, 255]);
         let start = Moment::at(16);
         let direction = Direction::Negative;
         let train =
@@ -159,21 +195,25 @@ mod tests {
             AxisState { position: -1, encoder: -2, speed_mpps: -1500, target: 7, status: 3, steps: 3 };
         recorder.sample(16_000_000, 0, &state);
         recorder.mark(16_000_001, 0, Mark::TargetReached);
+        recorder.note(16_000_001, Note::Fault, "slip, X");
         recorder.finish(16_000_002).unwrap();
         drop(recorder);
         assert_eq!(String::from_utf8(bytes).unwrap(), expected);
     }
 
-    const HEAD: &str = "seconds,event,axis,position,encoder,speed,target,status,pin,value\n\
-        0,pin,,,,,,,motor supply,12.5\n\
-        0.0000005,drive,X,,,,,,,31\n";
-    const TAIL: &str = "1,sample,X,-1,-2,-1.500,7,3,,\n\
-        1.0000000625,target_reached,X,,,,,,,\n";
+    const HEAD: &str = "seconds,event,axis,position,encoder,speed,target,status,pin,value,steps,unit,text\n\
+        0,pin,,,,,,,motor supply,12.5,,V,\n\
+        0.0000005,drive,X,,,,,,,31,,,step 1/1\n\
+        0.0000005,received,,,,,,,,,,,usb 01ff\n";
+    const TAIL: &str = "1,sample,X,-1,-2,-1.500,7,3,,,3,,\n\
+        1.0000000625,target_reached,X,,,,,,,,,,\n\
+        1.0000000625,fault,,,,,,,,,,,\"slip, X\"\n";
 
     #[test]
     fn rows_are_events_and_samples() {
         check(Detail::Samples, &format!("{HEAD}{TAIL}"));
-        let pulses = "0.000002,pulse,X,,,,,,,-1\n0.000003,pulse,X,,,,,,,-2\n0.000004,pulse,X,,,,,,,-1\n";
+        let pulses =
+            "0.000002,pulse,X,,,,,,,-1,,,\n0.000003,pulse,X,,,,,,,-2,,,\n0.000004,pulse,X,,,,,,,-1,,,\n";
         check(Detail::Edges, &format!("{HEAD}{pulses}{TAIL}"));
     }
 

@@ -6,13 +6,21 @@
 
 mod csv;
 mod mcap;
-mod svg;
+#[cfg(feature = "parquet")]
+mod parquet;
+mod plot;
+mod read;
 mod vcd;
 
 pub use self::csv::{CsvRecorder, Detail};
 pub use self::mcap::McapRecorder;
+#[cfg(feature = "parquet")]
+pub use self::parquet::ParquetRecorder;
 pub use self::vcd::VcdRecorder;
-pub use svg::SvgRecorder;
+pub use plot::{Picture, Plot, PlotRecorder};
+pub use read::{READABLE, ReadError, read};
+
+use crate::tape::{PortName, hex};
 
 use devices::{AxisState, Drive, Pin, Port};
 use motion::{Ticks, Train};
@@ -102,7 +110,11 @@ pub enum RecordError {
 }
 
 /// The extensions of all formats.
-pub const FORMATS: &str = ".csv, .mcap, .svg, .vcd";
+pub const FORMATS: &str = if cfg!(feature = "parquet") {
+    ".csv, .mcap, .parquet, .png, .svg, .vcd"
+} else {
+    ".csv, .mcap, .png, .svg, .vcd (.parquet where it was built in)"
+};
 
 /// Takes down what happens. Times are clocks of device time and never fall, except that a train is told
 /// of when it is over.
@@ -148,15 +160,17 @@ pub trait Recorder {
 /// # Errors
 /// [`RecordError`].
 pub fn create(path: &Path, info: &RecordInfo) -> Result<Box<dyn Recorder + Send>, RecordError> {
+    if let Some(picture) = Picture::of(path) {
+        // An unwritable place is better known before the run.
+        open(path)?;
+        return Ok(Box::new(PlotRecorder::new(path, picture, info)));
+    }
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or("");
     match extension {
         "csv" => Ok(Box::new(CsvRecorder::new(open(path)?, path, info, Detail::Samples))),
         "mcap" => Ok(Box::new(McapRecorder::new(open(path)?, path, info)?)),
-        "svg" => {
-            // An unwritable place is better known before the run.
-            open(path)?;
-            Ok(Box::new(SvgRecorder::new(path, info)))
-        }
+        #[cfg(feature = "parquet")]
+        "parquet" => Ok(Box::new(ParquetRecorder::new(open(path)?, path, info)?)),
         "vcd" => Ok(Box::new(VcdRecorder::new(open(path)?, path, info))),
         _ => Err(RecordError::Format(path.into())),
     }
@@ -192,6 +206,11 @@ pub fn decimal_seconds(ticks: Ticks, clock_hz: u32) -> String {
 /// Clocks as whole nanoseconds; an edge is in the one in which its clock begins.
 fn nanoseconds(ticks: Ticks, clock_hz: u32) -> u64 {
     (u128::from(ticks) * 1_000_000_000 / u128::from(clock_hz)) as u64
+}
+
+/// Bytes on a wire as text.
+fn wire_text(port: Port, bytes: &[u8]) -> String {
+    format!("{} {}", PortName::from(port).name(), hex(bytes))
 }
 
 /// A device for the tests of the formats.

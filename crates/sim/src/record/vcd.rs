@@ -13,9 +13,12 @@
 //! | `speed` | real | pulses a second, likewise |
 //! | pins | wire or real | level, or number in the pin's unit |
 //!
+//! Starts and stops of axes and what happened around them stand between the changes as comments: `axis X started`,
+//! `event fault TEXT`; the units of pins in the head: `unit SUPPLY V`.
+//!
 //! Times are nanoseconds, each rounded down from its clock by itself, so that nothing adds up.
 
-use super::{Mark, RecordError, RecordInfo, Recorder, nanoseconds};
+use super::{Mark, Note, RecordError, RecordInfo, Recorder, nanoseconds};
 use devices::{AxisState, Drive};
 use motion::{Direction, Ticks, Train};
 use std::{collections::VecDeque, io, io::Write, path::PathBuf};
@@ -89,6 +92,8 @@ pub struct VcdRecorder<W: Write> {
     /// Changes since the last look at the axes: when, of which variable. An axis tells of its pulses when a
     /// train is over, so they come together from there and are put in order.
     pending: Vec<(u64, usize, Change)>,
+    /// Comments since then.
+    remarks: VecDeque<(u64, String)>,
     /// The time that was written last.
     written: u64,
     failure: Option<io::Error>,
@@ -105,6 +110,7 @@ impl<W: Write> VcdRecorder<W> {
             axes: Vec::new(),
             pins: Vec::new(),
             pending: Vec::new(),
+            remarks: VecDeque::new(),
             written: 0,
             failure: None,
         };
@@ -134,6 +140,9 @@ impl<W: Write> VcdRecorder<W> {
             };
             self.axes.push(axis);
             self.writer.upscope()?;
+        }
+        for pin in self.info.pins.iter().filter(|pin| !pin.unit.is_empty()) {
+            self.writer.comment(&format!("unit {} {}", word(pin.name), pin.unit))?;
         }
         self.writer.add_module("pins")?;
         for pin in self.info.pins {
@@ -203,21 +212,38 @@ impl<W: Write> VcdRecorder<W> {
         let complete = self.pending.partition_point(|(at, ..)| *at <= until);
         let changes: Vec<_> = self.pending.drain(..complete).collect();
         for (at, variable, change) in changes {
+            self.write_remarks(at);
             if self.failure.is_none() {
                 self.failure = self.write(at, variable, change).err();
             }
         }
+        self.write_remarks(until);
     }
 
-    fn write(&mut self, at: u64, variable: usize, change: Change) -> io::Result<()> {
-        let variable = &mut self.variables[variable];
-        if variable.shown == change {
-            return Ok(());
+    /// Writes the comments until `until`.
+    fn write_remarks(&mut self, until: u64) {
+        while let Some((at, text)) = self.remarks.pop_front_if(|(at, _)| *at <= until) {
+            if self.failure.is_none() {
+                self.failure = self.advance(at).and_then(|()| self.writer.comment(&text)).err();
+            }
         }
+    }
+
+    /// The time is this, if it is later than the one that was written last.
+    fn advance(&mut self, at: u64) -> io::Result<()> {
         if at > self.written {
             self.writer.timestamp(at)?;
             self.written = at;
         }
+        Ok(())
+    }
+
+    fn write(&mut self, at: u64, variable: usize, change: Change) -> io::Result<()> {
+        if self.variables[variable].shown == change {
+            return Ok(());
+        }
+        self.advance(at)?;
+        let variable = &mut self.variables[variable];
         variable.shown = change;
         change.write(variable.id, &mut self.writer)
     }
@@ -256,6 +282,14 @@ impl<W: Write> Recorder for VcdRecorder<W> {
 
     fn mark(&mut self, at: Ticks, axis: usize, mark: Mark) {
         self.push(at, self.axes[axis].moving, Change::Level(mark == Mark::Started));
+        let remark = format!("axis {} {}", self.info.axes[axis], mark.name());
+        self.remarks.push_back((self.nanoseconds(at), remark));
+    }
+
+    fn note(&mut self, at: Ticks, note: Note, text: &str) {
+        // A `$` would end the comment.
+        let remark = format!("event {} {}", note.name(), text.replace('$', "_"));
+        self.remarks.push_back((self.nanoseconds(at), remark));
     }
 
     fn sample(&mut self, at: Ticks, axis: usize, state: &AxisState) {
@@ -273,8 +307,7 @@ impl<W: Write> Recorder for VcdRecorder<W> {
         let end = self.nanoseconds(at);
         // A last pulse ends after the recording.
         self.flush(end + PULSE_NS);
-        let end = if end > self.written { self.writer.timestamp(end) } else { Ok(()) };
-        let flushed = end.and_then(|()| self.writer.flush());
+        let flushed = self.advance(end).and_then(|()| self.writer.flush());
         match self.failure.take().map_or(flushed, Err) {
             Ok(()) => Ok(()),
             Err(error) => Err(RecordError::Write { path: self.path.clone(), problem: error.to_string() }),

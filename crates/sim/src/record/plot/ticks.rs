@@ -9,8 +9,15 @@ pub(super) struct Ticks {
     decimals: usize,
 }
 
-/// At most `most` ticks from `low` to `high`: 1, 2 or 5 and a power of ten apart.
+/// Most digits behind the point.
+const MAX_DECIMALS: f64 = 12.0;
+
+/// At most `most` ticks from `low` to `high`: 1, 2 or 5 and a power of ten apart; one tick where there is no room
+/// between them.
 pub(super) fn ticks(low: f64, high: f64, most: usize) -> Ticks {
+    if low >= high {
+        return Ticks { values: vec![low], exponent: 0, decimals: 0 };
+    }
     let coarse = (high - low) / most.max(1) as f64;
     let power = 10_f64.powf(coarse.log10().floor());
     let step = [1.0, 2.0, 5.0, 10.0]
@@ -28,7 +35,7 @@ pub(super) fn ticks(low: f64, high: f64, most: usize) -> Ticks {
         1e4.. => ((largest.log10() + 1e-9) / 3.0).floor() as i32 * 3,
         _ => 0,
     };
-    let decimals = (exponent as f64 - step.log10() - 1e-9).ceil().max(0.0) as usize;
+    let decimals = (exponent as f64 - step.log10() - 1e-9).ceil().clamp(0.0, MAX_DECIMALS) as usize;
     Ticks { values, exponent, decimals }
 }
 
@@ -73,6 +80,7 @@ mod tests {
         check(-3000.0, 54_000.0, 6, &["0", "10", "20", "30", "40", "50"], "10³ ");
         check(-1.3e6, 1.3e6, 6, &["−1.0", "−0.5", "0.0", "0.5", "1.0"], "10⁶ ");
         check(0.0, 0.0012, 4, &["0.0000", "0.0005", "0.0010"], "");
+        check(7.0, 7.0, 4, &["7"], "");
         check(100.0, 100.2, 4, &["100.00", "100.05", "100.10", "100.15", "100.20"], "");
     }
 }

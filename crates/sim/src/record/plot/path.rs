@@ -1,29 +1,26 @@
 //! The way of two axes, one position against the other, with the same scale both ways.
 
 use super::{
-    SvgRecorder,
-    canvas::{Canvas, Failure, INK, PALE, Place, Shape, WIDTH},
+    Plot,
     draw::{LEFT, RIGHT, SMALL},
+    page::{Anchor, Color, EDGE, GREY, PALE, Page, Place, Shape, Style, WIDTH},
+    panel::frame,
     series::Curves,
     ticks::ticks,
-};
-use plotters::{
-    prelude::RGBColor,
-    style::text_anchor::{HPos, VPos},
 };
 
 const GAP: f64 = 26.0;
 const FOOT: f64 = 44.0;
 const LOWEST: f64 = 150.0;
 const HIGHEST: f64 = 420.0;
-const COLOR: RGBColor = RGBColor(60, 60, 130);
+const COLOR: Color = Color(58, 62, 140);
 
 /// Places closer than this to the last one are not drawn.
 const SEEN: f64 = 0.2;
 
 /// The way of the first two axes that moved.
 pub(super) struct Path {
-    names: [&'static str; 2],
+    names: [String; 2],
     points: Vec<[f64; 2]>,
     /// Lowest and highest position of each.
     ranges: [[f64; 2]; 2],
@@ -31,10 +28,9 @@ pub(super) struct Path {
 
 impl Path {
     /// `None` if fewer than two axes moved.
-    pub fn of(recording: &SvgRecorder) -> Option<Self> {
-        let mut moved = (0..recording.axes.len()).filter(|axis| recording.axes[*axis].has_moved());
-        let axes = [moved.next()?, moved.next()?];
-        let points = against(&axes.map(|axis| positions(&recording.axes[axis])));
+    pub fn of(plot: &Plot, moved: &[usize]) -> Option<Self> {
+        let axes = *moved.first_chunk::<2>()?;
+        let points = against(&axes.map(|axis| positions(&plot.axes[axis].1)));
         let range = |axis: usize| {
             let places = points.iter().map(|point| point[axis]);
             let (low, high) = (places.clone().fold(0.0, f64::min), places.fold(0.0, f64::max));
@@ -42,7 +38,7 @@ impl Path {
             [low - room, high + room]
         };
         let ranges = [range(0), range(1)];
-        Some(Self { names: axes.map(|axis| recording.info.axes[axis]), points, ranges })
+        Some(Self { names: axes.map(|axis| plot.axes[axis].0.clone()), points, ranges })
     }
 
     fn frame_height(&self) -> f64 {
@@ -55,7 +51,7 @@ impl Path {
         GAP + self.frame_height() + FOOT
     }
 
-    pub fn draw(&self, canvas: &Canvas<'_>, top: f64) -> Result<(), Failure> {
+    pub fn draw(&self, page: &mut Page, top: f64) {
         let (left, right, top) = (LEFT, WIDTH - RIGHT, top + GAP);
         let (width, height) = (right - left, self.frame_height());
         let bottom = top + height;
@@ -69,7 +65,8 @@ impl Path {
         let place =
             |[x, y]: [f64; 2]| -> Place { (left + (x - x_low) * scale, bottom - (y - y_low) * scale) };
 
-        let line_color = |value: f64| if value == 0.0 { INK } else { PALE };
+        let line = |value: f64| if value == 0.0 { (EDGE, 1.0) } else { (PALE, 0.75) };
+        let numbers = Style::new(SMALL).color(GREY);
         // Lines as far apart one way as the other, as long as there is room for the numbers below.
         let columns = ticks(x_low, x_high, 9);
         let step =
@@ -77,27 +74,22 @@ impl Path {
         let rows = ticks(y_low, y_high, ((y_high - y_low) / step) as usize + 1);
         for value in &columns.values {
             let (x, _) = place([*value, y_low]);
-            canvas.line([(x, top), (x, bottom)], line_color(*value), 0.5)?;
-            canvas.text(&columns.label(*value), (x, bottom + 6.0), SMALL, (HPos::Center, VPos::Top))?;
+            let (color, width) = line(*value);
+            page.line([(x, top), (x, bottom)], color, width);
+            page.text(columns.label(*value), (x, bottom + 12.0), numbers.anchor(Anchor::Middle));
         }
         for value in &rows.values {
             let (_, y) = place([x_low, *value]);
-            canvas.line([(left, y), (right, y)], line_color(*value), 0.5)?;
-            canvas.text(&rows.label(*value), (left - 6.0, y), SMALL, (HPos::Right, VPos::Center))?;
+            let (color, width) = line(*value);
+            page.line([(left, y), (right, y)], color, width);
+            page.text(rows.label(*value), (left - 7.0, y), numbers.anchor(Anchor::End));
         }
-        let [x_name, y_name] = self.names;
+        let [x_name, y_name] = &self.names;
+        let style = Style::new(SMALL).anchor(Anchor::Middle);
         let legend = format!("{x_name} / {}pulses", columns.power());
-        canvas.text(
-            &legend,
-            ((left + right) / 2.0, bottom + 22.0),
-            SMALL + 1.0,
-            (HPos::Center, VPos::Top),
-        )?;
-        canvas.upright(
-            &format!("{y_name} / {}pulses", rows.power()),
-            (24.0, (top + bottom) / 2.0),
-            SMALL + 1.0,
-        )?;
+        page.text(legend, ((left + right) / 2.0, bottom + 30.0), style);
+        let legend = format!("{y_name} / {}pulses", rows.power());
+        page.text(legend, (36.0, (top + bottom) / 2.0), style.upright());
 
         let mut places: Vec<Place> = Vec::new();
         for (number, point) in self.points.iter().enumerate() {
@@ -107,10 +99,12 @@ impl Path {
                 places.push(at);
             }
         }
-        canvas.line(places, COLOR, 1.25)?;
-        canvas.sign(Shape::Disc, place([0.0, 0.0]), COLOR)?;
-        let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
-        canvas.line(corners, INK, 0.75)
+        frame(page, (left, top), (right, bottom));
+        let start = places.first().copied();
+        page.line(places, COLOR, 1.5);
+        if let Some(start) = start {
+            page.sign(Shape::Disc, start, COLOR);
+        }
     }
 }
 

@@ -124,6 +124,8 @@ pub(super) struct Curves {
     /// When the last pulse was, and its spacing in clocks.
     last: Option<(Moment, f64)>,
     uneven: Option<Uneven>,
+    /// The first position of samples; curves are of pulses or of samples.
+    sampled: Option<f64>,
 }
 
 /// An axis that steps in some slots of a path: its spacing jumps, but not its mean over many pulses.
@@ -140,19 +142,48 @@ const EVENED: i64 = MAX_SLOTS as i64;
 impl Curves {
     pub fn new(origin: Ticks) -> Self {
         let buckets = Buckets::new(origin);
-        let mut curves = Self { buckets, position: 0, moved: false, last: None, uneven: None };
+        let mut curves = Self { buckets, position: 0, moved: false, last: None, uneven: None, sampled: None };
         curves.put(origin, 0.0);
         curves
     }
 
-    /// Pulses from the start of the recording.
-    pub fn position(&self) -> i64 {
-        self.position
-    }
-
-    /// Whether there were any pulses.
+    /// Whether there were any pulses, or samples of another position than the first.
     pub fn has_moved(&self) -> bool {
         self.moved
+    }
+
+    /// Adds what a device said of itself; the speed in pulses a clock.
+    pub fn sample(&mut self, at: Ticks, position: f64, speed: f64) {
+        if let Some(first) = self.sampled {
+            self.moved |= position != first;
+        } else {
+            // Nothing is known of the time before.
+            self.buckets = Buckets::new(self.buckets.scale.origin);
+            self.sampled = Some(position);
+        }
+        self.buckets.reach(at);
+        let bucket = self.buckets.scale.bucket(at);
+        let content = &mut self.buckets.buckets[bucket];
+        Extent::add(&mut content.position, at as f64, position);
+        Extent::add(&mut content.speed, at as f64, speed);
+    }
+
+    /// Where the curve is at a time; `None` if nothing is known.
+    pub fn position_at(&self, at: Ticks) -> Option<f64> {
+        let at = at as f64;
+        let extents = self.buckets.iter().filter_map(|(_, motion)| motion.position);
+        let mut before = None;
+        for (time, position) in extents.flat_map(|extent| [extent.first, extent.last]) {
+            match before {
+                _ if time == at => return Some(position),
+                None if time > at => return Some(position),
+                Some((from, start)) if time > at => {
+                    return Some(start + (position - start) * (at - from) / (time - from));
+                }
+                _ => before = Some((time, position)),
+            }
+        }
+        before.map(|(_, position)| position)
     }
 
     /// Adds a train. It touches each bucket that it lasts through once, so that a long cruise costs no
@@ -247,6 +278,9 @@ impl Curves {
 
     /// The recording ends, maybe in the middle of a movement.
     pub fn end(&mut self, at: Ticks) {
+        if self.sampled.is_some() {
+            return;
+        }
         self.mean_speed();
         if self.last.is_none_or(|(end, spacing)| at.saturating_sub(end.ticks) as f64 > 2.0 * spacing) {
             self.rest(at);
@@ -273,28 +307,41 @@ fn clocks(spacing: SubTicks) -> f64 {
     (spacing as f64 / (1_u64 << FRACTION_BITS) as f64).max(1.0)
 }
 
-/// A bucket of a digital pin: which levels it had, and the last one.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Levels {
-    pub off: bool,
-    pub on: bool,
-    pub last: Option<bool>,
+/// A bucket of a pin: the extremes of the values that it was told, and the last one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Levels(pub Option<Span>);
+
+/// Lowest, highest and last value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Span {
+    pub low: f64,
+    pub high: f64,
+    pub last: f64,
 }
 
 impl Merge for Levels {
     fn merge(&self, later: &Self) -> Self {
-        Self { off: self.off || later.off, on: self.on || later.on, last: later.last.or(self.last) }
+        match (self.0, later.0) {
+            (Some(first), Some(later)) => {
+                let (low, high) = (first.low.min(later.low), first.high.max(later.high));
+                Self(Some(Span { low, high, last: later.last }))
+            }
+            (first, later) => Self(later.or(first)),
+        }
     }
 }
 
 impl Buckets<Levels> {
-    pub fn add(&mut self, at: Ticks, on: bool) {
+    pub fn add(&mut self, at: Ticks, value: f64) {
         self.reach(at);
         let bucket = self.scale.bucket(at);
         let content = &mut self.buckets[bucket];
-        content.on |= on;
-        content.off |= !on;
-        content.last = Some(on);
+        *content = content.merge(&Levels(Some(Span { low: value, high: value, last: value })));
+    }
+
+    /// All values together; `None` before the first.
+    pub fn span(&self) -> Option<Span> {
+        self.buckets.iter().fold(Levels::default(), |all, levels| all.merge(levels)).0
     }
 }
 
@@ -333,7 +380,7 @@ mod tests {
         assert_eq!(extents.iter().map(|extent| extent.low).fold(0.0, f64::min), 0.0);
         let fastest = curves.buckets.iter().filter_map(|(_, motion)| motion.speed).map(|extent| extent.high);
         assert_eq!(fastest.fold(0.0, f64::max), 0.01);
-        assert_eq!(curves.position(), 0);
+        assert_eq!(curves.position, 0);
     }
 
     #[test]
@@ -369,6 +416,27 @@ mod tests {
                 assert!((speed * 1000.0 * 1.5 - 1.0).abs() < 0.02, "{speed}");
             }
         }
+    }
+
+    #[test]
+    fn a_position_lies_between_two_that_are_known() {
+        let mut curves = Curves::new(0);
+        assert_eq!(curves.position_at(7), Some(0.0));
+        curves.sample(1000, 10.0, 0.0);
+        curves.sample(3000, 30.0, 0.0);
+        for (at, expected) in [(0, 10.0), (1000, 10.0), (1500, 15.0), (3000, 30.0), (9000, 30.0)] {
+            assert_eq!(curves.position_at(at), Some(expected), "at {at}");
+        }
+    }
+
+    #[test]
+    fn levels_keep_their_extremes() {
+        let mut levels = Buckets::<Levels>::new(0);
+        assert_eq!(levels.span(), None);
+        for round in 0..100_000 {
+            levels.add(round * 1000, if round == 777 { 9.0 } else { (round % 2) as f64 });
+        }
+        assert_eq!(levels.span(), Some(Span { low: 0.0, high: 9.0, last: 1.0 }));
     }
 
     #[test]
