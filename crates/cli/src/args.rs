@@ -31,6 +31,10 @@ pub enum Command {
     },
     /// Draw a recording
     Plot(PlotArgs),
+    /// Run a program line by line in virtual time, forwards and backwards
+    Debug(DebugArgs),
+    /// The same for editors, which speak the Debug Adapter Protocol over standard input and output
+    Dap,
     /// Assemble a TMCL program
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
@@ -132,6 +136,25 @@ pub struct RunArgs {
     /// Print the result as JSON
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `debug`.
+#[derive(Group)]
+pub struct DebugArgs {
+    /// The program: source of TMCL (.tmc) or A-SCRIPT (.prg, .txt), or machine code (.bin)
+    pub program: PathBuf,
+    /// The controller that runs it
+    #[arg(long, value_name = "MODEL", value_parser = model)]
+    pub device: &'static Model,
+    /// Bench file; its first device of the model tells the machine
+    #[arg(long, value_name = "FILE")]
+    pub bench: Option<PathBuf>,
+    /// Device time after which the program stands
+    #[arg(long = "for", value_name = "SECONDS", default_value = "3600", value_parser = seconds, allow_negative_numbers = true)]
+    pub limit_s: f64,
+    /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
+    #[arg(long, value_name = "TIME:PIN=VALUE")]
+    pub at: Vec<TimedInput>,
 }
 
 /// Arguments of `replay`.

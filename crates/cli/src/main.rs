@@ -5,6 +5,8 @@
 
 mod args;
 mod bench;
+mod dap;
+mod debug;
 mod plot;
 mod programs;
 mod replay;
@@ -57,6 +59,8 @@ fn execute(command: Command) -> Outcome {
         Command::Replay(args) => replay::replay(&args),
         Command::Bench { command } => bench::bench(&command),
         Command::Plot(args) => plot::plot(&args),
+        Command::Debug(args) => debug::debug(args),
+        Command::Dap => dap::dap(),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Compile(args) => programs::compile_file(&args),

@@ -5,7 +5,7 @@ use crate::{
     args::RunArgs,
     programs::{self, Loaded},
 };
-use devices::ProgramRun;
+use devices::{Model, ProgramRun};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sim::{
     Bench, DeviceConfig, RunOptions, RunResult, Scenario, SharedFlash, VirtualDevice,
@@ -17,6 +17,7 @@ use sim::{
 };
 use std::{
     io::{IsTerminal, stderr},
+    path::Path,
     time::{Duration, Instant},
 };
 
@@ -35,7 +36,7 @@ const SEED: u64 = 0;
 /// Runs a program and shows what came of it.
 pub fn run(args: RunArgs) -> Outcome {
     let loaded = programs::load(&args.program, args.device)?;
-    let config = config(&args)?;
+    let config = config(args.bench.as_deref(), args.device)?;
     let faults = faults(&args, &loaded, &config)?;
     let flash = SharedFlash::erased(config.model.flash_bytes);
     let head = [(&config, config.seed.unwrap_or(SEED), &flash)];
@@ -80,12 +81,12 @@ pub fn run(args: RunArgs) -> Outcome {
     Ok(())
 }
 
-/// The device in its machine.
-fn config(args: &RunArgs) -> Result<DeviceConfig, Failure> {
-    let Some(file) = &args.bench else { return Ok(DeviceConfig::new(args.device)) };
+/// The device in its machine: the first of its model in the bench file, if there is one.
+pub fn config(bench: Option<&Path>, model: &'static Model) -> Result<DeviceConfig, Failure> {
+    let Some(file) = bench else { return Ok(DeviceConfig::new(model)) };
     let bench = Bench::read(file)?;
-    let found = bench.devices.into_iter().find(|device| device.model.name == args.device.name);
-    found.ok_or_else(|| Failure::Line(format!("{}: there is no {}", file.display(), args.device.name)))
+    let found = bench.devices.into_iter().find(|device| device.model.name == model.name);
+    found.ok_or_else(|| Failure::Line(format!("{}: there is no {}", file.display(), model.name)))
 }
 
 /// The faults of the scenario, which may name lines and labels of the program.

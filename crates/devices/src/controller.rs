@@ -230,4 +230,10 @@ pub trait Controller {
     fn take_notice(&mut self) -> Option<Notice> {
         None
     }
+
+    /// Its programs and numbers for a debugger; `None` if it has nothing to show.
+    #[cfg(feature = "std")]
+    fn inspect(&mut self) -> Option<&mut dyn crate::Inspect> {
+        None
+    }
 }

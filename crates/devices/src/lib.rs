@@ -13,6 +13,9 @@ pub mod board;
 pub mod cmd4cr;
 pub mod controller;
 pub mod flash;
+pub mod gate;
+#[cfg(feature = "std")]
+pub mod inspect;
 #[cfg(feature = "std")]
 pub mod models;
 pub mod parameter;
@@ -26,6 +29,9 @@ mod sizes;
 
 pub use board::{Board, Drive, Port};
 pub use controller::{AxisState, Controller, Notice, Pin, PinKind, ProgramRun, ProgramState, Wiring};
+pub use gate::{Gate, Lines};
+#[cfg(feature = "std")]
+pub use inspect::Inspect;
 #[cfg(feature = "std")]
 pub use models::{Language, MODELS, Model, model};
 pub use parameter::{Access, Parameter, Table};

@@ -152,7 +152,6 @@ pub fn run(
     mut progress: impl FnMut(Progress),
 ) -> Result<RunResult, RunError> {
     let wall = Instant::now();
-    let model = device.config().model;
     load(device, program)?;
     let start = device.now();
     for timed in &options.inputs {
@@ -162,10 +161,7 @@ pub fn run(
         device.plan(planned)?;
     }
     let instructions = device.instructions();
-    match (program, model.language) {
-        (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::start(device, dialect, lines)?,
-        _ => tmcl::start(device)?,
-    }
+    self::start(device, program)?;
 
     let limit = options.for_seconds.map(|seconds| start.saturating_add(device.ticks(seconds)));
     let end = limit.unwrap_or(Ticks::MAX);
@@ -221,6 +217,19 @@ pub fn load(device: &mut VirtualDevice, program: &Program) -> Result<(), RunErro
     match (program, model.language) {
         (Program::Tmcl(commands), Language::Tmcl) => tmcl::load(device, commands),
         (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::load(device, dialect, lines),
+        _ => Err(RunError::Language(model.name)),
+    }
+}
+
+/// Starts a program that was [loaded](load): of A-SCRIPT all that there are.
+///
+/// # Errors
+/// [`RunError`].
+pub fn start(device: &mut VirtualDevice, program: &Program) -> Result<(), RunError> {
+    let model = device.config().model;
+    match (program, model.language) {
+        (Program::Tmcl(_), Language::Tmcl) => tmcl::start(device),
+        (Program::Ascript(lines), Language::Ascript(dialect)) => ascript::start(device, dialect, lines),
         _ => Err(RunError::Language(model.name)),
     }
 }

@@ -125,6 +125,19 @@ impl Thread {
         self.stack.len()
     }
 
+    /// Where it is: the line that is executed next or now, and the one from which each subroutine that it is in
+    /// was called, innermost first. The error subroutine was called from where it goes back to.
+    pub fn frames(&self) -> impl Iterator<Item = u16> {
+        let depth = self.handler.map_or(0, |handler| handler.depth).min(self.stack.len());
+        let (outer, inner) = self.stack.split_at(depth);
+        let interrupted = self.handler.and_then(|handler| handler.counter);
+        [self.counter]
+            .into_iter()
+            .chain(inner.iter().rev().map(|line| line - 1))
+            .chain(interrupted)
+            .chain(outer.iter().rev().map(|line| line - 1))
+    }
+
     /// Whether the error subroutine runs.
     pub const fn in_error_subroutine(&self) -> bool {
         self.handler.is_some()

@@ -12,6 +12,7 @@ use ascript::{
 };
 use devices::{Language, MODELS, Model};
 use sim::Program;
+use source::Source;
 use std::{fmt::Write as _, path::Path};
 
 /// Compiles a source and writes what was asked for.
@@ -80,6 +81,24 @@ pub fn dialect(model: &Model) -> Result<&'static Dialect, Failure> {
         Language::Ascript(dialect) => Ok(dialect),
         Language::Tmcl => Err(Failure::Line(format!("a {} has no A-SCRIPT programs", model.name))),
     }
+}
+
+/// A source for the debugger, and what there is to say about it.
+pub fn translate(
+    name: &str,
+    text: &[u8],
+    dialect: &Dialect,
+) -> Result<(Option<debugger::Code>, String), Failure> {
+    let compilation = compile(name, text, dialect);
+    let said = compilation.render(false);
+    let source = Source::new(name, text);
+    Ok((compilation.code.map(|code| debugger::Code::ascript(source, code)), said))
+}
+
+/// Compiled lines for the debugger.
+pub fn translate_code(path: &Path, dialect: &Dialect) -> Result<(Option<debugger::Code>, String), Failure> {
+    let text = decompile(&lines(path, dialect)?, dialect).map_err(|error| about(path, &error))?;
+    translate(&super::name_of_code(path), text.as_bytes(), dialect)
 }
 
 /// Compiles a file and shows what there is to say about it.

@@ -11,6 +11,7 @@ use crate::{
     FAILED, Failure, Outcome,
     args::{CheckArgs, FmtArgs},
 };
+use debugger::Code;
 use devices::{Language, Model};
 use sim::{Program, fault::Place};
 use std::{
@@ -135,6 +136,24 @@ pub fn load(path: &Path, model: &Model) -> Result<Loaded, Failure> {
         Kind::AscriptSource => ascript::load_source(path, ascript::dialect(model)?),
         Kind::AscriptCode => ascript::load_code(path, ascript::dialect(model)?),
     }
+}
+
+/// Reads a program for the debugger. Machine code gets a source. Gives it, if it is right, and what there is to
+/// say about it.
+pub fn translate(path: &Path, model: &Model) -> Result<(Option<Code>, String), Failure> {
+    match Kind::of(path, Some(model))? {
+        Kind::TmclSource => tmcl::translate(&path.display().to_string(), &read(path)?),
+        Kind::TmclCode => tmcl::translate_code(path),
+        Kind::AscriptSource => {
+            ascript::translate(&path.display().to_string(), &read(path)?, ascript::dialect(model)?)
+        }
+        Kind::AscriptCode => ascript::translate_code(path, ascript::dialect(model)?),
+    }
+}
+
+/// What a source that was made of machine code is called.
+fn name_of_code(path: &Path) -> String {
+    format!("{} as source", path.display())
 }
 
 /// Lays sources out anew, one after the other, whatever becomes of the one before.

@@ -5,6 +5,7 @@ use crate::{
     FAILED, Failure, Outcome,
     args::{AsmArgs, DisasmArgs},
 };
+use debugger::Code;
 use std::{fmt::Write as _, path::Path};
 use tmcl::{
     Command,
@@ -61,6 +62,18 @@ pub fn load_source(path: &Path) -> Result<Loaded, Failure> {
 /// Machine code whose checksums are right.
 pub fn load_code(path: &Path) -> Result<Loaded, Failure> {
     Ok(Loaded { program: sim::Program::Tmcl(commands(path)?), places: Vec::new(), labels: Vec::new() })
+}
+
+/// A source for the debugger, and what there is to say about it.
+pub fn translate(name: &str, source: &[u8]) -> Result<(Option<Code>, String), Failure> {
+    let assembly = assemble(name, source, &Module::new());
+    let said = assembly.render(false);
+    Ok((Code::tmcl(assembly), said))
+}
+
+/// Machine code for the debugger.
+pub fn translate_code(path: &Path) -> Result<(Option<Code>, String), Failure> {
+    translate(&super::name_of_code(path), disasm::disassemble(&commands(path)?).as_bytes())
 }
 
 /// Assembles a file and shows what there is to say about it.

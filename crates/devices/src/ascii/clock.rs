@@ -133,6 +133,7 @@ pub trait Programmed<const N: usize>: Clocked + Controller {
     fn pass(&mut self, now: Ticks, board: &mut dyn Board) -> Ticks {
         let outside = self.outside();
         self.threads().forget_rounds();
+        self.threads().gate.look();
         let active = self.threads().active();
         loop {
             let due = self.due();
@@ -143,17 +144,26 @@ pub trait Programmed<const N: usize>: Clocked + Controller {
             if next.is_none_or(|(clock, _)| clock >= due) {
                 self.threads().forget_rounds();
             }
+            let mut stale = false;
             match next {
                 Some((clock, thread)) => {
                     self.step_to(clock, board);
                     if !at_window(Clocked::axes(self), &before) {
-                        self.run_program(thread, horizon, board);
+                        if self.threads().is_held(thread) {
+                            let stale = self.threads().active() < active || self.outside() != outside;
+                            self.threads().gate.hold(stale);
+                            return self.now();
+                        }
+                        stale = self.threads().gate.pass();
+                        // What is due in a clock comes before a line in it.
+                        let last = if due > now { now } else { due.saturating_sub(1).max(clock) };
+                        self.run_program(thread, last, board);
                     }
                 }
                 None => self.step_to(horizon, board),
             }
-            let ended = self.threads().active() < active;
-            if self.is_dead() || ended || at_window(Clocked::axes(self), &before) || self.outside() != outside
+            let stale = stale || self.threads().active() < active;
+            if self.is_dead() || stale || at_window(Clocked::axes(self), &before) || self.outside() != outside
             {
                 return self.now();
             }

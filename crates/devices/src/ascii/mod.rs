@@ -10,6 +10,8 @@ pub mod cells;
 pub mod clock;
 pub mod command;
 pub mod encoder;
+#[cfg(feature = "std")]
+pub mod inspect;
 pub mod memory;
 pub mod outputs;
 pub mod parse;

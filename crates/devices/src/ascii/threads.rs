@@ -4,6 +4,7 @@
 //! business, which then calls [`Threads::complete`], [`Threads::done`] or [`Threads::hold`].
 
 use crate::controller::{ProgramRun, ProgramState};
+use crate::gate::Gate;
 #[cfg(feature = "std")]
 use crate::rounds::Rounds;
 #[cfg(feature = "std")]
@@ -82,6 +83,8 @@ impl Timed {
 pub struct Threads<const N: usize> {
     threads: [Timed; N],
     line: LineTime,
+    /// What a debugger lets through.
+    pub gate: Gate,
     /// Of the thread with this number.
     #[cfg(feature = "std")]
     rounds: Rounds<(usize, Situation)>,
@@ -97,6 +100,7 @@ impl<const N: usize> Threads<N> {
         Self {
             threads,
             line,
+            gate: Gate::OPEN,
             #[cfg(feature = "std")]
             rounds: Rounds::new(),
         }
@@ -149,13 +153,17 @@ impl<const N: usize> Threads<N> {
         now: Ticks,
         horizon: Ticks,
     ) -> (Ticks, Exit) {
-        // Another thread has its turn in between.
+        // Another thread has its turn in between; which one comes first in a clock is not for this one to say.
         let others = self.threads.iter().enumerate().filter(|(other, it)| *other != number && it.goes());
-        let horizon = others.map(|(_, timed)| self.clock(timed.next_at).max(now)).fold(horizon, Ticks::min);
+        let others = others.map(|(_, timed)| self.clock(timed.next_at).max(now).saturating_sub(1));
+        let horizon = others.fold(horizon, Ticks::min);
         let start = self.threads[number].next_at.max(self.parts(now.saturating_sub(1)) + 1);
         let lines = self.parts(horizon).saturating_sub(start) / self.line.clocks + 1;
         let timed = &mut self.threads[number];
-        let (executed, exit) = timed.thread.run(memory, lines.min(MAX_BATCH) as u32);
+        let (executed, exit) = timed.thread.run(memory, self.gate.limit(lines.min(MAX_BATCH) as u32));
+        if !matches!(exit, Exit::Read(_) | Exit::Idle) {
+            self.gate.executed();
+        }
         timed.next_at = start + Ticks::from(executed) * self.line.clocks;
         #[cfg(feature = "std")]
         if matches!(exit, Exit::Read(_) | Exit::Write(..) | Exit::Do(_)) {
@@ -203,6 +211,12 @@ impl<const N: usize> Threads<N> {
     pub fn limit_rounds(&mut self, _clock: Ticks) {
         #[cfg(feature = "std")]
         self.rounds.limit(_clock.saturating_mul(self.line.lines));
+    }
+
+    /// Whether a thread's line is to begin now, and a debugger wants to see it before that.
+    pub fn is_held(&self, number: usize) -> bool {
+        let timed = &self.threads[number];
+        self.gate.is_shut() && timed.goes() && timed.thread.pending().is_none()
     }
 
     /// The register that a thread reads has this value.
@@ -349,6 +363,11 @@ impl<const N: usize> Threads<N> {
     /// Whether a thread runs or is paused.
     pub fn is_active(&self, number: usize) -> bool {
         self.threads[number].is_active()
+    }
+
+    /// Where a thread is, innermost routine first; see [`Thread::frames`].
+    pub fn frames(&self, number: usize) -> Option<impl Iterator<Item = u16>> {
+        self.threads.get(number).map(|timed| timed.thread.frames())
     }
 
     /// The line at which a thread is.

@@ -55,7 +55,7 @@ impl<F: Flash> Cmd4cr<F> {
     }
 
     /// Something to read.
-    fn ask(&self, line: &Line<'_>, reply: &mut Reply, board: &mut dyn Board) {
+    pub fn ask(&self, line: &Line<'_>, reply: &mut Reply, board: &mut dyn Board) {
         let id = line.command.id;
         match (id, line.place()) {
             (Id::Version, _) => say(reply, format_args!("V126BL")),

@@ -18,6 +18,8 @@ mod commands;
 mod erc;
 mod feedback;
 mod homing;
+#[cfg(feature = "std")]
+mod inspect;
 mod io;
 mod joystick;
 pub mod memory;
@@ -433,5 +435,10 @@ impl<F: Flash> Controller for Cmd4cr<F> {
 
     fn program(&self, index: usize) -> Option<ProgramState> {
         self.programs.view(index)
+    }
+
+    #[cfg(feature = "std")]
+    fn inspect(&mut self) -> Option<&mut dyn crate::Inspect> {
+        Some(self)
     }
 }

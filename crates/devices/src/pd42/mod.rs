@@ -16,6 +16,8 @@ mod control;
 mod driver;
 mod encoders;
 pub mod global_parameters;
+#[cfg(feature = "std")]
+mod inspect;
 mod memory;
 mod motion;
 mod parameters;
@@ -279,6 +281,7 @@ impl<F: Flash> Controller for Pd42<F> {
         let outside = |module: &Self| (module.power.drive, module.encoders.watches_null());
         let before = outside(self);
         self.program.forget_rounds();
+        self.program.gate.look();
         let active = self.program_active();
         loop {
             let due = self.due();
@@ -288,17 +291,26 @@ impl<F: Flash> Controller for Pd42<F> {
             if next.is_none_or(|clock| clock >= due) {
                 self.program.forget_rounds();
             }
-            if let Some(clock) = next {
-                self.step_to(clock, board);
-                self.run_program(horizon, board);
-            } else {
-                self.step_to(horizon, board);
+            self.step_to(next.unwrap_or(horizon), board);
+            let stops = |it: &Self| {
+                let ended = active && !it.program_active();
+                ended || it.axis.odometer() != was && it.axis.at_window() || outside(it) != before
+            };
+            let mut stale = false;
+            if next.is_some() {
+                if self.is_held() {
+                    let stops = stops(self);
+                    self.program.gate.hold(stops);
+                    return self.now;
+                }
+                stale = self.program.gate.pass();
+                // What is due in a clock comes before a command in it.
+                self.run_program(if due > now { now } else { due.saturating_sub(1).max(self.now) }, board);
             }
             if self.dead {
                 return self.advance(now, board);
             }
-            let ended = active && !self.program_active();
-            if ended || self.axis.odometer() != was && self.axis.at_window() || outside(self) != before {
+            if stale || stops(self) {
                 return self.now;
             }
             if self.now == now && self.program_at().is_none_or(|clock| clock > now) && self.due() > now {
@@ -405,6 +417,11 @@ impl<F: Flash> Controller for Pd42<F> {
 
     fn take_notice(&mut self) -> Option<Notice> {
         self.program.take_notice()
+    }
+
+    #[cfg(feature = "std")]
+    fn inspect(&mut self) -> Option<&mut dyn crate::Inspect> {
+        Some(self)
     }
 }
 

@@ -5,6 +5,7 @@ use super::{Pd42, TEN_MILLISECONDS, global_parameters::interrupts as gp};
 use crate::board::Board;
 use crate::controller::Notice;
 use crate::flash::Flash;
+use crate::gate::Gate;
 #[cfg(feature = "std")]
 use crate::rounds::Rounds;
 use ::motion::Ticks;
@@ -35,6 +36,8 @@ pub struct Program {
     pub download: Option<usize>,
     /// It came to a command that programs cannot have.
     pub failed: bool,
+    /// What a debugger lets through.
+    pub gate: Gate,
     /// When its next command is executed.
     next_at: Ticks,
     /// An interrupt may end a wait for a while.
@@ -50,6 +53,7 @@ impl Program {
         Self {
             download: None,
             failed: false,
+            gate: Gate::OPEN,
             next_at: 0,
             roused: false,
             timers: [None; 3],
@@ -98,6 +102,13 @@ impl<F: Flash> Pd42<F> {
         goes.then_some(self.program.next_at.max(self.now))
     }
 
+    /// Whether a command is to begin now, and a debugger wants to see it before that. A `WAIT` under way, which
+    /// only an interrupt can leave before its end, has begun.
+    pub fn is_held(&self) -> bool {
+        let begins = self.vm.waiting().is_none() || self.vm.is_interrupted();
+        self.program.gate.is_shut() && begins && self.program_at() == Some(self.now)
+    }
+
     /// Raises an interrupt.
     pub fn raise(&mut self, number: u8) {
         self.vm.raise(number);
@@ -112,7 +123,10 @@ impl<F: Flash> Pd42<F> {
             return;
         }
         let budget = ((horizon - at) / self.command_clocks + 1).min(MAX_BATCH) as u32;
-        let (executed, exit) = self.vm.run(budget);
+        let (executed, exit) = self.vm.run(self.program.gate.limit(budget));
+        if !matches!(exit, Exit::Waiting(_)) {
+            self.program.gate.executed();
+        }
         self.program.next_at = at + Ticks::from(executed) * self.command_clocks;
         match exit {
             Exit::Host(command) => {

@@ -40,7 +40,7 @@ impl<F: Flash> Pmx2ed<F> {
     }
 
     /// Something to read.
-    fn ask(&self, line: &Line<'_>, reply: &mut Reply, board: &mut dyn Board) {
+    pub fn ask(&self, line: &Line<'_>, reply: &mut Reply, board: &mut dyn Board) {
         let id = line.command.id;
         match (id, line.place()) {
             (Id::Identity, _) => say(reply, format_args!("PERFORMAX-2ED-SA")),

@@ -10,6 +10,8 @@
 
 mod commands;
 mod feedback;
+#[cfg(feature = "std")]
+mod inspect;
 mod io;
 mod joystick;
 mod memory;
@@ -329,5 +331,10 @@ impl<F: Flash> Controller for Pmx2ed<F> {
 
     fn program(&self, index: usize) -> Option<ProgramState> {
         self.programs.view(index)
+    }
+
+    #[cfg(feature = "std")]
+    fn inspect(&mut self) -> Option<&mut dyn crate::Inspect> {
+        Some(self)
     }
 }

@@ -1,6 +1,7 @@
 //! A controller in its machine, and the loop that lets their time pass.
 
 mod faults;
+mod lines;
 mod pins;
 mod power;
 mod schedule;
@@ -92,6 +93,8 @@ pub struct VirtualDevice {
     is_powered: bool,
     /// Instructions of all programs before the supply came last.
     executed: u64,
+    /// Whether a debugger lets its programs' lines through one by one.
+    gated: bool,
 }
 
 impl VirtualDevice {
@@ -131,6 +134,7 @@ impl VirtualDevice {
             loads,
             is_powered: true,
             executed: 0,
+            gated: false,
             controller,
         };
         device.start();
@@ -549,6 +553,9 @@ impl VirtualDevice {
             // Less than was asked for where a shaft has come to the edge of its window.
             let clock = self.controller.advance(now - self.world.origin, &mut self.world);
             self.world.set_clock(clock);
+            if self.gated && self.is_held() {
+                return;
+            }
             self.world.settle_contacts();
             self.settle();
             self.turn_wheels();

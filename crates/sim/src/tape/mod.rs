@@ -11,7 +11,7 @@ mod replay;
 mod tests;
 
 pub use log::Log;
-pub use replay::{Reader, Replay};
+pub use replay::{Reader, Replay, perform};
 
 use crate::{config::DeviceConfig, device::PinValue, fault::Entry as Fault, flash::SharedFlash};
 use devices::Port;
@@ -140,6 +140,13 @@ pub enum Act {
     Clear(Option<u64>),
     /// The end of the tape.
     End,
+}
+
+impl Act {
+    /// The act of a host that sends these bytes to a port.
+    pub fn receive(port: Port, bytes: &[u8]) -> Self {
+        Self::Receive(port.into(), hex(bytes))
+    }
 }
 
 /// A port, by its name in files.

@@ -126,8 +126,11 @@ impl<R: BufRead> Replay<R> {
     }
 }
 
-/// Tells a device what the tape says.
-fn perform(device: &mut VirtualDevice, act: &Act) -> Result<(), String> {
+/// Tells a device what a tape says.
+///
+/// # Errors
+/// What the device says against it.
+pub fn perform(device: &mut VirtualDevice, act: &Act) -> Result<(), String> {
     fn text(error: impl ToString) -> String {
         error.to_string()
     }

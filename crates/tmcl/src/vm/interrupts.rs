@@ -42,6 +42,16 @@ impl Interrupts {
         self.saved.is_some()
     }
 
+    /// What that handler interrupted.
+    pub(super) const fn saved(&self) -> Option<Context> {
+        self.saved
+    }
+
+    /// The address of the handler that is entered next.
+    pub(super) const fn vector(&self) -> u16 {
+        self.vectors[self.due.trailing_zeros() as usize]
+    }
+
     /// `EI` and `DI`; false if there is no such interrupt. One that is disabled is also forgotten.
     pub(super) fn enable(&mut self, number: u8, on: bool) -> bool {
         if number == GLOBAL_INTERRUPT {

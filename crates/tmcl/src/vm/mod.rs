@@ -90,6 +90,8 @@ struct Context {
     registers: Registers,
     counter: u16,
     pending: Pending,
+    /// How many subroutines it was in.
+    depth: u8,
 }
 
 /// A `WAIT` that begins.
@@ -252,6 +254,28 @@ impl Vm {
     /// The return addresses of the subroutines, innermost last.
     pub fn stack(&self) -> &[u16] {
         &self.stack
+    }
+
+    /// Whether an interrupt is taken before the next command.
+    pub const fn is_interrupted(&self) -> bool {
+        self.interrupts.is_due() && !matches!(self.pending, Pending::Host(_))
+    }
+
+    /// Where the program is: the address of the command that is executed next or now, and the one from which
+    /// each routine that it is in was called or interrupted, innermost first.
+    pub fn frames(&self) -> impl Iterator<Item = u16> {
+        let vector = self.is_interrupted().then(|| self.interrupts.vector());
+        let (interrupted, depth) = match self.interrupts.saved() {
+            Some(context) => (Some(context.counter), usize::from(context.depth).min(self.stack.len())),
+            None => (None, 0),
+        };
+        let (outer, inner) = self.stack.split_at(depth);
+        vector
+            .into_iter()
+            .chain([self.counter])
+            .chain(inner.iter().rev().map(|address| address - 1))
+            .chain(interrupted)
+            .chain(outer.iter().rev().map(|address| address - 1))
     }
 
     /// Commands executed since power-up, in programs.

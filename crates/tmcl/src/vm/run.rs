@@ -170,7 +170,7 @@ impl Vm {
                 Err(error) => Next::Failed(error.into()),
             },
             opcode::RETI => match self.interrupts.leave() {
-                Some(Context { registers, counter, pending }) => {
+                Some(Context { registers, counter, pending, .. }) => {
                     let flags = registers.flags.with_errors_of(self.registers.flags);
                     self.registers = super::Registers { flags, ..registers };
                     self.pending = pending;
@@ -238,7 +238,12 @@ impl Vm {
 
     #[cold]
     fn interrupt(&mut self) {
-        let context = Context { registers: self.registers, counter: self.counter, pending: self.pending };
+        let context = Context {
+            registers: self.registers,
+            counter: self.counter,
+            pending: self.pending,
+            depth: self.stack.len() as u8,
+        };
         self.pending = Pending::Nothing;
         self.counter = self.interrupts.enter(context);
     }

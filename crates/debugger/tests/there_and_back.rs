@@ -1,0 +1,199 @@
+//! Whoever goes back finds everything as it was.
+
+use ascript::compile;
+use debugger::{Code, Debugger, Direction, Goal, Stop, Target, code::Place};
+use devices::Language;
+use sim::{DeviceConfig, tape::Act};
+use source::Source;
+use tmcl::asm::{NoFiles, assemble};
+
+const TMCL: &str = "\
+VECT 0, tick
+SGP 0, 3, 7
+EI 0
+EI 255
+MVP ABS, 0, 3000
+loop: CSUB count
+WAIT TICKS, 0, 1
+GIO 0, 0
+COMP 100
+JC LT, loop
+MVP ABS, 0, 0
+WAIT POS, 0, 0
+STOP
+count: GGP 1, 2
+CALC ADD, 1
+AGP 1, 2
+RSUB
+tick: GGP 2, 2
+CALC ADD, 1
+AGP 2, 2
+RETI
+";
+
+const ASCRIPT: &str = "\
+PRG 0
+EO=3
+HSPD=5000
+WHILE 1=1
+X300
+WAITX
+V1=V1+1
+GOSUB 2
+X0
+WAITX
+ENDWHILE
+END
+PRG 1
+WHILE 1=1
+V2=PX
+IF DI1=1
+V3=V3+1
+ELSE
+DELAY=3
+ENDIF
+ENDWHILE
+END
+SUB 2
+V4=V4-V2
+ENDSUB
+";
+
+fn debugger(model: &str, source: &str, inputs: &[&str]) -> Debugger {
+    let model = devices::model(model).unwrap();
+    let code = match model.language {
+        Language::Tmcl => Code::tmcl(assemble("a.tmc", source.as_bytes(), &NoFiles)).unwrap(),
+        Language::Ascript(dialect) => {
+            let compilation = compile("a.prg", source.as_bytes(), dialect);
+            Code::ascript(Source::new("a.prg", source.as_bytes()), compilation.code.unwrap())
+        }
+    };
+    let inputs = inputs.iter().map(|input| input.parse().unwrap()).collect();
+    Debugger::new(Target { code, config: DeviceConfig::new(model), inputs }, 100.0).unwrap()
+}
+
+/// Everything that can be seen.
+fn look(debugger: &mut Debugger) -> String {
+    let program = debugger.program();
+    let (frames, point) = (debugger.frames(program), debugger.point());
+    let device = debugger.device();
+    let axes: Vec<_> = (0..device.axes().len()).map(|axis| device.axis(axis)).collect();
+    let programs: Vec<_> = device.programs().collect();
+    let values: Vec<_> = device.quantities().iter().filter_map(|it| device.value(&it.name)).collect();
+    let pins: Vec<_> = device.pins().iter().map(|pin| device.read_pin(pin.name).unwrap()).collect();
+    format!("{point:?} {program} {frames:?} {axes:?} {programs:?} {values:?} {pins:?}")
+}
+
+fn go(debugger: &mut Debugger, direction: Direction, goal: Goal) -> Stop {
+    debugger.go(direction, goal).unwrap()
+}
+
+#[track_caller]
+fn check(model: &str, source: &str, inputs: &[&str], steps: usize) {
+    let mut debugger = debugger(model, source, inputs);
+    let mut seen = vec![look(&mut debugger)];
+    for number in 0..steps {
+        // Somebody meddles now and then.
+        if number % 17 == 9 {
+            let axis = debugger.device().axes()[0].to_owned();
+            debugger.perform(Act::Push(axis, 5)).unwrap();
+            seen.pop();
+            seen.push(look(&mut debugger));
+        }
+        assert_eq!(go(&mut debugger, Direction::Forward, Goal::Into), Stop::Step, "{number}");
+        seen.push(look(&mut debugger));
+    }
+    for (number, before) in seen.iter().enumerate().rev().skip(1) {
+        let stop = go(&mut debugger, Direction::Backward, Goal::Into);
+        assert_eq!(stop, if number == 0 { Stop::Start } else { Stop::Step }, "{number}");
+        assert_eq!(look(&mut debugger), *before, "back to {number}");
+    }
+    // And forward again: what was done is done again.
+    for (number, after) in seen.iter().enumerate().skip(1) {
+        assert_eq!(go(&mut debugger, Direction::Forward, Goal::Into), Stop::Step);
+        assert_eq!(look(&mut debugger), *after, "forward again, {number}");
+    }
+}
+
+#[test]
+fn steps() {
+    check("pd42-1140", TMCL, &["0.02:HOME=true"], 60);
+    check("pmx-2ed", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], 60);
+    check("cmd-4cr", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], 40);
+}
+
+#[test]
+fn breakpoints_and_watches() {
+    let mut debugger = debugger("pd42-1140", TMCL, &[]);
+    let place = Place { file: 0, line: 18 };
+    let number = debugger.break_at(place, None).unwrap().number;
+    let mut seen = Vec::new();
+    for _ in 0..5 {
+        assert_eq!(go(&mut debugger, Direction::Forward, Goal::End), Stop::Breakpoint(number));
+        assert_eq!(debugger.place(0), Some(place), "before the first command of the handler");
+        seen.push(look(&mut debugger));
+    }
+    for before in seen.iter().rev().skip(1) {
+        assert_eq!(go(&mut debugger, Direction::Backward, Goal::End), Stop::Breakpoint(number));
+        assert_eq!(look(&mut debugger), *before);
+    }
+    assert_eq!(go(&mut debugger, Direction::Backward, Goal::End), Stop::Start);
+    assert!(debugger.delete(number) && !debugger.delete(number));
+
+    // A parameter that changes while the program waits.
+    let number = debugger.watch("APPositionReached").unwrap().number;
+    let stop = go(&mut debugger, Direction::Forward, Goal::End);
+    assert!(matches!(&stop, Stop::Watch { number: found, .. } if *found == number), "{stop:?}");
+    let first = look(&mut debugger);
+    go(&mut debugger, Direction::Forward, Goal::End);
+    let stop = go(&mut debugger, Direction::Backward, Goal::End);
+    assert!(matches!(stop, Stop::Watch { .. }), "{stop:?}");
+    assert_eq!(look(&mut debugger), first);
+}
+
+#[test]
+fn another_course() {
+    let mut debugger = debugger("pmx-2ed", ASCRIPT, &[]);
+    let clock = debugger.clock(0.2);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Clock(clock)), Stop::Time);
+    let plain = look(&mut debugger);
+    debugger.set("V4", "1000").unwrap();
+    debugger.drive("DI1", Some(sim::PinValue::Level(true))).unwrap();
+    let meddled = look(&mut debugger);
+    assert_ne!(plain, meddled);
+    let clock = debugger.clock(0.3);
+    go(&mut debugger, Direction::Forward, Goal::Clock(clock));
+    let later = look(&mut debugger);
+    for _ in 0..20 {
+        go(&mut debugger, Direction::Backward, Goal::Over);
+    }
+    go(&mut debugger, Direction::Forward, Goal::Clock(clock));
+    assert_eq!(look(&mut debugger), later);
+    // Before it was meddled with, and on another way from there.
+    let number = debugger.break_at(Place { file: 0, line: 3 }, None).unwrap().number;
+    assert_eq!(go(&mut debugger, Direction::Backward, Goal::End), Stop::Breakpoint(number));
+    debugger.perform(Act::Load("X".into(), 0.5)).unwrap();
+    let clock = debugger.clock(0.2);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Clock(clock)), Stop::Time);
+    assert_eq!(look(&mut debugger), plain);
+}
+
+#[test]
+fn routines() {
+    let mut debugger = debugger("pmx-2ed", ASCRIPT, &[]);
+    let clock = debugger.clock(0.001);
+    let addresses = vec![debugger.target().code.label("SUB2").unwrap()];
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Addresses(addresses)), Stop::Step);
+    assert!(debugger.point().clock > clock);
+    let line = |debugger: &mut Debugger| debugger.place(0).unwrap().line;
+    assert_eq!((line(&mut debugger), debugger.frames(0).len()), (23, 2));
+    go(&mut debugger, Direction::Forward, Goal::Out);
+    assert_eq!(line(&mut debugger), 9);
+    go(&mut debugger, Direction::Backward, Goal::Over);
+    assert_eq!(line(&mut debugger), 8);
+    go(&mut debugger, Direction::Forward, Goal::Into);
+    assert_eq!(line(&mut debugger), 23);
+    go(&mut debugger, Direction::Forward, Goal::Into);
+    go(&mut debugger, Direction::Backward, Goal::Out);
+    assert_eq!(line(&mut debugger), 8);
+}
