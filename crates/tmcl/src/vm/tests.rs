@@ -1,7 +1,7 @@
 //! One topic a test, each a rule of how programs execute.
 
 use super::*;
-use crate::isa::{Condition, Flag, GLOBAL_INTERRUPT, Operation, opcode::*};
+use crate::isa::{Condition, Flag, GLOBAL_INTERRUPT, Operation, PROGRAM_LENGTH, opcode::*};
 
 /// Plenty for any program here.
 const BUDGET: u32 = 10_000;
