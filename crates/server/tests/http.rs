@@ -210,3 +210,82 @@ fn connections_are_limited_but_not_lost() {
     assert_eq!(waiting.join().unwrap(), 200);
     server.stop().unwrap();
 }
+
+#[test]
+fn faults() {
+    let (server, address) = serve_http(vec![device("a", &[]), performax("b", &[])]);
+    let check = |method: &str, path: &str, body: &str, status: u16, answer: Value| {
+        let got = call(address, method, &format!("/api/devices/{path}"), body);
+        assert_eq!(got, (status, answer), "{method} {path} {body}");
+    };
+    let error = |text: &str| json!({ "error": text });
+    check("GET", "a/faults", "", 200, json!([]));
+    let stuck = r#"{ "kind": "stuck_switch", "pin": "IN", "value": true }"#;
+    check("POST", "a/faults", stuck, 201, json!({ "id": 1 }));
+    check("GET", "a/pins/IN", "", 200, json!(true));
+    check("PUT", "a/pins/IN", "false", 204, Value::Null);
+    check("GET", "a/pins/IN", "", 200, json!(true));
+    let later = r#"{ "kind": "slip", "axis": "A", "pulses": 5, "on": { "message": 3 }, "after": 0.5 }"#;
+    check("POST", "a/faults", later, 201, json!({ "id": 2 }));
+    let listed = json!([
+        { "id": 1, "state": "active", "kind": "stuck_switch", "pin": "IN", "value": true },
+        { "id": 2, "state": "waiting", "kind": "slip", "axis": "A", "pulses": 5, "on": { "message": 3 }, "after": 0.5 },
+    ]);
+    check("GET", "a/faults", "", 200, listed);
+    check("DELETE", "a/faults/1", "", 204, Value::Null);
+    check("GET", "a/pins/IN", "", 200, json!(false));
+    check("DELETE", "a/faults/1", "", 404, error("there is no fault 1"));
+    check("POST", "a/faults", r#"{ "kind": "power_cut", "duration": 0.05 }"#, 201, json!({ "id": 3 }));
+    eventually("it is over", || {
+        call(address, "GET", "/api/devices/a/faults", "").1.as_array().unwrap().len() == 1
+    });
+    check("DELETE", "a/faults", "", 204, Value::Null);
+    check("GET", "a/faults", "", 200, json!([]));
+
+    let missing = error("kind: slip needs `pulses`");
+    check("POST", "a/faults", r#"{ "kind": "slip", "axis": "A" }"#, 422, missing);
+    check(
+        "POST",
+        "a/faults",
+        r#"{ "kind": "brown_out", "on": { "line": 3 } }"#,
+        422,
+        error("on: the source of the program is not known here; say `address`"),
+    );
+    check(
+        "POST",
+        "a/faults",
+        r#"{ "kind": "brown_out", "device": "b" }"#,
+        422,
+        error("device: the path says which device it is"),
+    );
+    let unknown = "this is no fault: unknown field `colour`, expected one of ";
+    let (status, body) = call(address, "POST", "/api/devices/a/faults", r#"{ "kind": "slip", "colour": 3 }"#);
+    assert_eq!(status, 422);
+    assert!(body["error"].as_str().unwrap().starts_with(unknown), "{body}");
+    check("POST", "c/faults", stuck, 404, error("unknown device `c`, known: a, b"));
+
+    // Pushed, and pulses lost.
+    let encoder = || call(address, "GET", "/api/devices/b", "").1["axes"]["X"]["encoder"].clone();
+    check("POST", "b/axes/X/push", "-40", 204, Value::Null);
+    assert_eq!(encoder(), -40);
+    check("POST", "b/axes/X/lose", "12", 204, Value::Null);
+    check("POST", "b/axes/Q/lose", "12", 404, error("there is no axis `Q`, the device has: X, Y"));
+    check("POST", "b/axes/X/lose", "-1", 422, error("the value is out of range"));
+    check("POST", "b/axes/X/push", "1e300", 422, error("the value is out of range"));
+    check("POST", "b/axes/X/push", "0.5", 422, error("`0.5` is not a number of pulses"));
+    server.stop().unwrap();
+}
+
+#[test]
+fn a_scenario_begins_with_the_server() {
+    let devices = vec![device("a", &[]), device("b", &[])];
+    let text = "[[fault]]\ndevice = 'b'\nkind = 'stuck_switch'\npin = 'IN'\nvalue = true\n";
+    let scenario = sim::Scenario::parse(text, "test", &devices, &sim::fault::scenario::no_source).unwrap();
+    let http = Some(("127.0.0.1:0".into(), server::Token::chosen(TOKEN).unwrap()));
+    let server =
+        server::Server::start(server::Settings { http, scenario, ..common::settings(devices) }).unwrap();
+    let address = server.url().unwrap().split(['/', '?']).nth(2).unwrap().parse().unwrap();
+    let level = |name: &str| call(address, "GET", &format!("/api/devices/{name}/pins/IN"), "").1;
+    assert_eq!((level("a"), level("b")), (json!(false), json!(true)));
+    server.stop().unwrap();
+}

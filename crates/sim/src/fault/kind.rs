@@ -4,12 +4,13 @@ use super::{Entry, Parts, Wrong};
 use crate::{
     config::MAX_PULSES,
     device::{PinValue, level_for},
+    machine::MAX_BOUNCE_MS,
     tape::PortName,
 };
 use devices::Wiring;
 use serde::{Deserialize, Serialize};
 
-/// Longest time that a switch bounces, bytes are late, or a neighbour is quiet.
+/// Longest time that bytes are late, or a neighbour is quiet.
 pub const MAX_MS: u32 = 60_000;
 
 /// Most bytes that a babbling node says at a time.
@@ -317,7 +318,10 @@ impl Kind {
                 let level = value.map(|value| level_for(pin, value)).transpose();
                 level.map_err(|error| Wrong::new("value", error.to_string()))?;
             }
-            Self::BouncingSwitch { pin, .. } => {
+            Self::BouncingSwitch { pin, ms } => {
+                if *ms > MAX_BOUNCE_MS {
+                    return Err(Wrong::new("ms", format!("{ms} is outside 1 to {MAX_BOUNCE_MS} ms")));
+                }
                 let number = input(parts, pin)?;
                 let pin = &parts.pins[number];
                 if matches!(pin.wiring, Wiring::Free | Wiring::Index(_)) || pin.kind.is_analog() {

@@ -141,6 +141,10 @@ fn faults_that_cannot_be() {
         "5: fault.value: `HX` is digital: true or false",
     );
     check_error("kind = 'bouncing_switch'\nms = 5\npin = 'DI1'", "5: fault.pin: no switch is at `DI1`");
+    check_error(
+        "kind = 'bouncing_switch'\npin = 'HX'\nms = 1001",
+        "5: fault.ms: 1001 is outside 1 to 1000 ms",
+    );
     let hex = "write 1 to 64 bytes as pairs of hexadecimal digits";
     for bytes in ["", "0", "0g", &"00".repeat(65)] {
         let babble = format!("kind = 'babbling_node'\nport = 'rs485'\nms = 5\nbytes = '{bytes}'");
@@ -228,5 +232,21 @@ fn each_kind_has_its_tests() {
         for row in KINDS.iter().filter(|row| row.name != "supply_dip" || file.starts_with("pd42")) {
             assert!(text.contains(&format!("#[test]\nfn {}() {{", row.test)), "{}: {}", file, row.test);
         }
+    }
+}
+
+/// The page of the documentation has the tables.
+#[test]
+fn the_page_has_every_kind_and_event() {
+    let page = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/faults.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let code = |keys: &[&str]| keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ");
+    let kinds = KINDS.iter().map(|row| {
+        let lasts = if row.lasts { "" } else { " No `duration`." };
+        format!("| `{}` | {} | {} | {}{lasts} |\n", row.name, code(row.needs), code(row.may), row.text)
+    });
+    let events = TRIGGERS.iter().map(|row| format!("| {} | {} | {} |\n", code(row.needs), code(row.may), row.text));
+    for row in kinds.chain(events) {
+        assert!(page.contains(&row), "{row}");
     }
 }
