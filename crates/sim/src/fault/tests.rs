@@ -245,7 +245,8 @@ fn the_page_has_every_kind_and_event() {
         let lasts = if row.lasts { "" } else { " No `duration`." };
         format!("| `{}` | {} | {} | {}{lasts} |\n", row.name, code(row.needs), code(row.may), row.text)
     });
-    let events = TRIGGERS.iter().map(|row| format!("| {} | {} | {} |\n", code(row.needs), code(row.may), row.text));
+    let events =
+        TRIGGERS.iter().map(|row| format!("| {} | {} | {} |\n", code(row.needs), code(row.may), row.text));
     for row in kinds.chain(events) {
         assert!(page.contains(&row), "{row}");
     }
