@@ -185,6 +185,16 @@ impl Wrong {
     }
 }
 
+/// A number that may be written without a point.
+fn number(value: &Value) -> f64 {
+    // The types are right.
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).unwrap_or(f64::NAN)
+}
+
+fn pair(values: &[Value]) -> Result<(), Wrong> {
+    if values.len() == 2 { Ok(()) } else { Err(format!("2 values, not {}", values.len()).into()) }
+}
+
 /// Whether all numbers of a table whose values have the right types are in their ranges.
 ///
 /// # Errors
@@ -200,27 +210,29 @@ impl Key {
     fn check(&self, value: &Value) -> Result<(), Wrong> {
         match (self.form, value) {
             (Form::Whole(range), Value::Integer(number)) => self.within(*number, range),
-            (Form::Number(range), Value::Float(number)) => self.within(*number, range),
-            (Form::Ratio([least, most]), Value::Float(number)) => {
-                let sign = if *number < 0.0 { -1.0 } else { 1.0 };
+            (Form::Number(range), value) => self.within(number(value), range),
+            (Form::Ratio([least, most]), value) => {
+                let number = number(value);
+                let sign = if number < 0.0 { -1.0 } else { 1.0 };
                 let [low, high] = [sign * least, sign * most];
-                self.within(*number, [low.min(high), low.max(high)])
+                self.within(number, [low.min(high), low.max(high)])
             }
             (Form::Position | Form::Zone | Form::Zones, Value::Integer(position)) => {
                 self.within(*position, [-MAX_PULSES, MAX_PULSES])
             }
             (Form::Zone | Form::Zones, Value::Array(values)) => {
+                pair(values)?;
                 values.iter().try_for_each(|value| self.check(value))
             }
             (Form::Curve(most), Value::Array(points)) => {
                 if !(1..=MAX_POINTS).contains(&points.len()) {
                     return Err(format!("1 to {MAX_POINTS} points").into());
                 }
-                let numbers =
-                    points.iter().filter_map(Value::as_array).flat_map(|point| point.iter().zip(most));
-                numbers
-                    .filter_map(|(value, most)| Some((value.as_float()?, most)))
-                    .try_for_each(|(number, most)| self.within(number, [0.0, most]))
+                points.iter().filter_map(Value::as_array).try_for_each(|point| {
+                    pair(point)?;
+                    let mut numbers = point.iter().map(number).zip(most);
+                    numbers.try_for_each(|(number, most)| self.within(number, [0.0, most]))
+                })
             }
             (Form::Tables(most, keys), Value::Array(tables)) => {
                 if tables.len() > most {

@@ -252,6 +252,9 @@ fn machines_that_cannot_be() {
         "bench.toml:4: device.axis.0.pull_out: speeds must rise from point to point, and torques must not";
     check_axis("pull_out = [[0, 0.5], [100, 0.6]]\n", rising);
     check_axis("pull_out = [[100, 0.5], [100, 0.4]]\n", rising);
+    check_axis("pull_out = []\n", "bench.toml:4: device.axis.0.pull_out: 1 to 64 points");
+    check_axis("pull_out = [[0, 1, 2]]\n", "bench.toml:4: device.axis.0.pull_out: 2 values, not 3");
+    check_axis("home = [0, 1, 2]\n", "bench.toml:4: device.axis.0.home: 2 values, not 3");
     let fast = "bench.toml:4: device.axis.0.pull_out: 2000000 is outside 0 to 1000000";
     check_axis("pull_out = [[0, 0.5], [2000000, 0.4]]\n", fast);
     let points = format!("pull_out = {:?}", vec![[0, 1]; MAX_POINTS + 1]);
