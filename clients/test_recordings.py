@@ -14,6 +14,8 @@ from server import PROGRAM
 ROOT = pathlib.Path(__file__).parents[1]
 PULSES = 80_000
 
+pytestmark = pytest.mark.server_only
+
 
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory):
