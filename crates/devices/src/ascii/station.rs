@@ -5,7 +5,7 @@ use super::speeds;
 use motion::closed_loop::{self, Ratio, Settings, StepNLoop};
 use motion::homing::Homing;
 use motion::joystick::{self, Joystick};
-use motion::{Axis, Direction, Goal, pps};
+use motion::{Axis, Direction, Goal, Ticks, pps};
 
 /// How a motion is ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +93,13 @@ impl Station {
             program: None,
             polled: false,
         }
+    }
+
+    /// A program looks at its status: until when that stays as it is if nothing happens, where that is known.
+    pub fn poll(&mut self, axis: &Axis) -> Option<Ticks> {
+        self.polled = true;
+        // Within a train the axis goes on as it does.
+        if matches!(self.task, Task::Path { .. }) { None } else { axis.wake() }
     }
 
     /// Whether StepNLoop is still bringing the axis into position.

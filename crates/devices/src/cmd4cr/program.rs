@@ -8,7 +8,7 @@ use super::table::{AXIS_COUNT, COMMANDS, Id, JOYSTICK_AXES};
 use super::{Cmd4cr, milliseconds};
 use crate::ascii::clock::Programmed;
 use crate::ascii::command::Id as _;
-use crate::ascii::station::{Halt, Task};
+use crate::ascii::station::Halt;
 use crate::ascii::threads::{Hold, Threads};
 use crate::board::Board;
 use crate::flash::Flash;
@@ -35,13 +35,7 @@ impl<F: Flash> Programmed<THREADS> for Cmd4cr<F> {
     }
 
     fn poll_status(&mut self, axis: usize) -> Ticks {
-        self.stations[axis].polled = true;
-        // Within a train the axis goes on as it does.
-        let train = match self.stations[axis].task {
-            Task::Path { .. } => None,
-            _ => self.axes[axis].wake(),
-        };
-        train.unwrap_or(self.now)
+        self.stations[axis].poll(&self.axes[axis]).unwrap_or(self.now)
     }
 
     fn next_program(&self) -> Option<(Ticks, usize)> {

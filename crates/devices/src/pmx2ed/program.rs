@@ -6,7 +6,7 @@ use super::table::{AXIS_COUNT, COMMANDS, Id};
 use super::{MILLISECOND, Pmx2ed, polarity};
 use crate::ascii::clock::Programmed;
 use crate::ascii::command::Id as _;
-use crate::ascii::station::{Halt, Task};
+use crate::ascii::station::Halt;
 use crate::ascii::threads::{Hold, Threads};
 use crate::board::Board;
 use crate::flash::Flash;
@@ -32,13 +32,7 @@ impl<F: Flash> Programmed<THREADS> for Pmx2ed<F> {
     }
 
     fn poll_status(&mut self, axis: usize) -> Ticks {
-        self.stations[axis].polled = true;
-        // Within a train the axis goes on as it does.
-        let train = match self.stations[axis].task {
-            Task::Path { .. } => None,
-            _ => self.axes[axis].wake(),
-        };
-        train.unwrap_or(self.now)
+        self.stations[axis].poll(&self.axes[axis]).unwrap_or(self.now)
     }
 
     fn next_program(&self) -> Option<(Ticks, usize)> {
