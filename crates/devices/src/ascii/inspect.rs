@@ -6,6 +6,41 @@ use super::{Command, Form, Parsed, Value, parse};
 use crate::inspect::{Quantity, Scope};
 use alloc::{format, string::String, vec::Vec};
 
+/// Shows a device of this language, with its `table`, to debuggers.
+macro_rules! inspect {
+    ($device:ident) => {
+        impl<F: $crate::flash::Flash> $crate::Inspect for $device<F> {
+            fn gate(&mut self) -> &mut $crate::gate::Gate {
+                &mut self.programs.gate
+            }
+
+            fn next_program(&self) -> Option<(::motion::Ticks, usize)> {
+                self.programs.next(self.now)
+            }
+
+            fn address(&self, program: usize) -> Option<u16> {
+                self.programs.frames(program)?.next()
+            }
+
+            fn frames(&self, program: usize) -> alloc::vec::Vec<u16> {
+                self.programs.frames(program).into_iter().flatten().collect()
+            }
+
+            fn value(&self, name: &str, board: &mut dyn $crate::Board) -> Option<f64> {
+                let line = $crate::ascii::inspect::reader(COMMANDS, AXES, name)?;
+                let mut reply = protocol::performax::Reply::new();
+                self.ask(&line, &mut reply, board);
+                reply.as_str().parse().ok()
+            }
+
+            fn quantities(&self) -> alloc::vec::Vec<$crate::inspect::Quantity> {
+                $crate::ascii::inspect::quantities(COMMANDS, AXES)
+            }
+        }
+    };
+}
+pub(crate) use inspect;
+
 /// The name of the variables' command.
 const VARIABLE: &str = "V";
 
