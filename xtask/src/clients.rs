@@ -9,7 +9,7 @@ use anyhow::Result;
 /// Builds the program and runs `clients/` with pytest.
 pub fn check(workplace: &Workplace) -> Result<()> {
     let python = tools::python(workplace)?;
-    rust::whole_binary(workplace)?;
+    rust::binary(workplace)?;
     let program = workplace.target.join("release/pulsetrain");
     run(workplace.command(python, &["-m", "pytest", "clients"]).env("PULSETRAIN", program))
 }

@@ -6,6 +6,7 @@ use crate::{
     workplace::{Workplace, read, run},
 };
 use anyhow::{Result, bail};
+use std::{num::NonZero, process::Command, sync::Mutex, thread};
 
 const SECONDS_A_TARGET: u32 = 5;
 
@@ -22,18 +23,36 @@ pub fn check(workplace: &Workplace) -> Result<()> {
         bail!("fuzz/ has no target");
     }
     run(&mut cargo(&["build"]))?;
-    let time = format!("-max_total_time={SECONDS_A_TARGET}");
-    for target in list.lines() {
-        let corpus = format!("fuzz/corpus/{target}");
-        let seeds = format!("fuzz/seeds/{target}");
-        std::fs::create_dir_all(workplace.root.join(&corpus))?;
-        // New inputs go to the first folder; the tracked seeds are only read.
-        let mut arguments = vec!["run", target, &corpus];
-        if workplace.root.join(&seeds).exists() {
-            arguments.push(&seeds);
+    let targets = Mutex::new(list.lines());
+    let next = || targets.lock().expect("no run panics").next();
+    let runner = || -> Result<()> {
+        while let Some(target) = next() {
+            fuzz(workplace, target, &mut cargo(&["run", target]))?;
         }
-        arguments.extend(["--", &time, "-print_final_stats=1", "-verbosity=0"]);
-        run(&mut cargo(&arguments))?;
+        Ok(())
+    };
+    let runners = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        let runners: Vec<_> = (0..runners).map(|_| scope.spawn(runner)).collect();
+        runners.into_iter().try_for_each(|runner| runner.join().expect("no run panics"))
+    })
+}
+
+/// Runs one target; what it prints comes in one piece, since others run at the same time.
+fn fuzz(workplace: &Workplace, target: &str, command: &mut Command) -> Result<()> {
+    let corpus = format!("fuzz/corpus/{target}");
+    let seeds = format!("fuzz/seeds/{target}");
+    std::fs::create_dir_all(workplace.root.join(&corpus))?;
+    // New inputs go to the first folder; the tracked seeds are only read.
+    command.arg(&corpus);
+    if workplace.root.join(&seeds).exists() {
+        command.arg(&seeds);
+    }
+    let time = format!("-max_total_time={SECONDS_A_TARGET}");
+    let output = command.args(["--", &time, "-print_final_stats=1", "-verbosity=0"]).output()?;
+    println!("{target}\n{}", String::from_utf8_lossy(&output.stderr));
+    if !output.status.success() {
+        bail!("the fuzz target {target}: {}", output.status);
     }
     Ok(())
 }

@@ -23,12 +23,12 @@ const STEPS: &[Step] = &[
         run: dependencies::check,
     },
     Step { name: "clippy", about: "clippy on everything, warnings are errors", run: rust::clippy },
+    Step { name: "plain", about: "the program without what is optional", run: rust::plain },
     Step { name: "no-std", about: "the crates for the microcontroller, without std", run: rust::no_std },
     Step { name: "tests", about: "unit, property, snapshot and tidy tests with nextest", run: rust::tests },
     Step { name: "doc-tests", about: "the examples in the documentation", run: rust::doc_tests },
     Step { name: "rustdoc", about: "the API documentation, warnings are errors", run: rust::rustdoc },
     Step { name: "documents", about: "the generated documents are up to date", run: documents::check },
-    Step { name: "binary", about: "the release build of the program", run: rust::binary },
     Step {
         name: "clients",
         about: "unmodified third-party clients against the program",
