@@ -1,0 +1,5 @@
+import "./theme.css";
+import { applyTheme } from "./state/theme.ts";
+import "./app.ts";
+
+applyTheme();

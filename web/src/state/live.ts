@@ -1,0 +1,131 @@
+// What a device says of itself while somebody looks: the newest message of each kind, over one WebSocket that
+// comes back by itself.
+
+import type { Api } from "../api/client.ts";
+import type { DebugState, LinkState, Live, Status, Traffic } from "../api/contract.ts";
+import { SampleRing } from "./samples.ts";
+
+/** Requests and replies that are kept. */
+export const MAX_TRAFFIC = 2000;
+
+const FIRST_RETRY_MS = 250;
+const LAST_RETRY_MS = 5000;
+/** A server that says nothing for so long is lost; a status comes 15 times a second. */
+const SILENCE_MS = 5000;
+
+/** `live.addEventListener(kind, ...)`: what has just changed. */
+export type LiveEvent = "status" | "samples" | "traffic" | "link" | "debug" | "connection";
+
+export class LiveStore extends EventTarget {
+  readonly name: string;
+  status: Status | null = null;
+  link: LinkState = { state: "connecting" };
+  debug: DebugState = { held: null, breakpoints: [] };
+  readonly samples = new SampleRing();
+  /** Oldest first. */
+  traffic: Traffic[] = [];
+  /** Whether the server is there. */
+  connected = false;
+  /** When the status came, of `performance.now()`. */
+  statusAt = 0;
+
+  readonly #api: Api;
+  #socket: WebSocket | null = null;
+  #retry_ms = FIRST_RETRY_MS;
+  #timer = 0;
+  #watchdog = 0;
+  #open = false;
+
+  constructor(api: Api, name: string) {
+    super();
+    this.#api = api;
+    this.name = name;
+  }
+
+  /** Begins to listen. */
+  open(): void {
+    if (this.#open) return;
+    this.#open = true;
+    this.#connect();
+  }
+
+  /** Ends listening. */
+  close(): void {
+    this.#open = false;
+    clearTimeout(this.#timer);
+    clearTimeout(this.#watchdog);
+    this.#socket?.close();
+    this.#socket = null;
+  }
+
+  /** Forgets the traffic. */
+  clearTraffic(): void {
+    this.traffic = [];
+    this.#tell("traffic");
+  }
+
+  #connect(): void {
+    const socket = this.#api.socket(this.#api.path(this.name, "live"));
+    this.#socket = socket;
+    socket.onopen = () => {
+      this.#retry_ms = FIRST_RETRY_MS;
+      this.#setConnected(true);
+      this.#watch();
+    };
+    socket.onmessage = (event: MessageEvent<string>) => {
+      this.#watch();
+      this.#take(JSON.parse(event.data) as Live);
+    };
+    socket.onclose = () => this.#lost(socket);
+  }
+
+  #lost(socket: WebSocket): void {
+    if (socket !== this.#socket) return;
+    this.#socket = null;
+    socket.onclose = null;
+    socket.close();
+    clearTimeout(this.#watchdog);
+    this.#setConnected(false);
+    if (!this.#open) return;
+    this.#timer = window.setTimeout(() => this.#connect(), this.#retry_ms);
+    this.#retry_ms = Math.min(this.#retry_ms * 2, LAST_RETRY_MS);
+  }
+
+  #watch(): void {
+    clearTimeout(this.#watchdog);
+    const socket = this.#socket;
+    if (socket) this.#watchdog = window.setTimeout(() => this.#lost(socket), SILENCE_MS);
+  }
+
+  #setConnected(connected: boolean): void {
+    if (connected === this.connected) return;
+    this.connected = connected;
+    this.#tell("connection");
+  }
+
+  #take(message: Live): void {
+    switch (message.type) {
+      case "status":
+        this.status = message.status;
+        this.statusAt = performance.now();
+        break;
+      case "samples":
+        this.samples.add(message.samples);
+        break;
+      case "traffic":
+        this.traffic = this.traffic.concat(message.traffic).slice(-MAX_TRAFFIC);
+        break;
+      case "link":
+        this.link = message.link;
+        break;
+      case "debug":
+        this.debug = message.debug;
+        break;
+    }
+    this.#tell(message.type);
+  }
+
+  #tell(kind: LiveEvent): void {
+    this.dispatchEvent(new Event(kind));
+  }
+}

@@ -1,0 +1,16 @@
+// The tabs of a controller's page, in their order: name in the address, title, element, and the file with it,
+// which is loaded when the tab is first shown.
+
+import type { Catalog, Summary } from "../api/contract.ts";
+
+export interface TabRow {
+  id: string;
+  title: string;
+  element: string;
+  load: () => Promise<unknown>;
+  /** Whether a device has this tab; without it each has. */
+  fits?: (device: Summary, catalog: Catalog) => boolean;
+}
+
+export const TABS: TabRow[] = [
+];
