@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{PATIENCE, TOKEN, call, device, eventually, performax, raw, serve_http};
+use common::{PATIENCE, TOKEN, call, device, eventually, exchange, performax, raw, serve_http};
 use serde_json::{Value, json};
 use std::{
     net::TcpStream,
@@ -156,6 +156,60 @@ fn every_request_needs_the_token_and_a_host_of_ours() {
     check(&format!("{host}Authorization: Basic {TOKEN}\r\n"), "/api/devices", 401);
     check(&format!("Host: evil.example\r\n{token}"), "/api/devices", 403);
     check(&format!("Host: evil.example:{}\r\n{token}", address.port()), "/api/devices", 403);
+    server.stop().unwrap();
+}
+
+#[test]
+fn the_page_needs_no_token_and_everything_says_what_browsers_may_do() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let ask = |method: &str, path: &str, headers: &str| {
+        let request = format!("{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n");
+        let (head, body) = exchange(address, &request);
+        let status: u16 = head.split(' ').nth(1).unwrap().parse().unwrap();
+        (status, head.to_ascii_lowercase(), body)
+    };
+    let host = format!("Host: {address}\r\n");
+    let (status, head, page) = ask("GET", &format!("/?token={TOKEN}"), &host);
+    assert_eq!(status, 200);
+    assert!(page.starts_with(b"<!doctype html>"));
+    assert!(head.contains("\r\ncontent-type: text/html; charset=utf-8\r\n"), "{head}");
+    assert!(head.contains("\r\ncache-control: no-cache\r\n"), "{head}");
+
+    let (status, head, packed) = ask("GET", "/", &format!("{host}Accept-Encoding: br, gzip\r\n"));
+    assert_eq!(status, 200);
+    assert!(head.contains("\r\ncontent-encoding: gzip\r\n"), "{head}");
+    assert!(packed.len() < page.len() && packed.starts_with(&[0x1F, 0x8B]));
+    let (_, tag) = head.split_once("\r\netag: ").unwrap();
+    let known = format!("{host}If-None-Match: {}\r\n", tag.split('\r').next().unwrap().replace("w/", "W/"));
+    assert_eq!(ask("GET", "/", &known).0, 304);
+    let (status, head, body) = ask("HEAD", "/index.html", &host);
+    assert!(status == 200 && body.is_empty() && head.contains("\r\ncontent-length: "), "{status} {head}");
+
+    for (method, path, headers, expected) in [
+        ("GET", "/", host.clone(), 200),
+        ("GET", "/", "Host: evil.example\r\n".into(), 403),
+        ("GET", "/", format!("{host}Origin: http://{address}\r\n"), 200),
+        ("GET", "/", format!("{host}Origin: http://evil.example\r\n"), 403),
+        ("POST", "/", host.clone(), 401),
+        ("GET", "/assets/", host.clone(), 401),
+        ("GET", "/%69ndex.html", host.clone(), 401),
+        ("GET", "/api/devices", host.clone(), 401),
+    ] {
+        let (status, head, _) = ask(method, path, &headers);
+        assert_eq!(status, expected, "{method} {path} {headers}");
+        assert!(
+            head.contains("\r\ncontent-security-policy: default-src 'none'; script-src 'self';"),
+            "{head}"
+        );
+        assert!(head.contains("frame-ancestors 'none'") && !head.contains("unsafe"), "{head}");
+        assert!(head.contains("\r\nx-content-type-options: nosniff\r\n"), "{head}");
+        assert!(head.contains("\r\nreferrer-policy: no-referrer\r\n"), "{head}");
+    }
+    let token = format!("{host}Authorization: Bearer {TOKEN}\r\n");
+    let (status, head, _) = ask("GET", "/api/devices", &token);
+    assert!(status == 200 && head.contains("\r\ncache-control: no-store\r\n"), "{head}");
+    let foreign = format!("{token}Origin: http://evil.example\r\n");
+    assert_eq!(ask("GET", "/api/devices", &foreign).0, 403);
     server.stop().unwrap();
 }
 

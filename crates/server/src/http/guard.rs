@@ -1,9 +1,9 @@
-//! Who may ask: the token, and the check of the `Host` header that keeps other people's web pages out.
+//! Who may ask: the token, and the checks of the headers `Host` and `Origin` that keep other people's web pages out.
 
 use super::{Failure, Site};
 use axum::{
     extract::{Request, State},
-    http::{HeaderMap, StatusCode, Uri, header},
+    http::{HeaderMap, HeaderValue, StatusCode, Uri, header},
     middleware::Next,
     response::Response,
 };
@@ -47,18 +47,31 @@ impl Token {
     }
 }
 
-/// Lets a request through that comes for us and shows the token.
-pub(super) async fn check(
+/// Lets a request through that comes for us, and not from somebody else's page.
+pub(super) async fn place(
     State(site): State<Arc<Site>>,
     request: Request,
     next: Next,
 ) -> Result<Response, Failure> {
-    if !host(request.headers()).is_some_and(|host| is_ours(host, site.address.ip())) {
+    let Some(host) = host(request.headers()).filter(|host| is_ours(host, site.address.ip())) else {
         return Err(Failure::new(
             StatusCode::FORBIDDEN,
             "the Host header names neither this machine nor the address that is listened on",
         ));
+    };
+    // Programs that are no browsers say no origin.
+    if request.headers().get(header::ORIGIN).is_some_and(|origin| !is_origin(origin, host)) {
+        return Err(Failure::new(StatusCode::FORBIDDEN, "the request comes from a page of another server"));
     }
+    Ok(next.run(request).await)
+}
+
+/// Lets a request through that shows the token.
+pub(super) async fn token(
+    State(site): State<Arc<Site>>,
+    request: Request,
+    next: Next,
+) -> Result<Response, Failure> {
     let shown = bearer(request.headers()).or_else(|| {
         // A browser's WebSocket cannot set headers.
         is_websocket(request.headers()).then(|| query_token(request.uri())).flatten()
@@ -104,6 +117,14 @@ fn is_ours(host: &str, bound: IpAddr) -> bool {
     }
 }
 
+/// Whether a page of this origin was sent by this host. The scheme is not compared: something in front of us may add TLS.
+fn is_origin(origin: &HeaderValue, host: &str) -> bool {
+    let address = origin.to_str().ok().and_then(|origin| origin.split_once("://"));
+    address.is_some_and(|(scheme, address)| {
+        matches!(scheme, "http" | "https") && address.eq_ignore_ascii_case(host)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -130,6 +151,22 @@ mod tests {
         check("127.0.0.1.evil.example", local, false);
         check("", local, false);
         check("[", local, false);
+    }
+
+    #[test]
+    fn origins() {
+        let check = |origin: &str, expected: bool| {
+            assert_eq!(is_origin(&origin.parse().unwrap(), "localhost:8340"), expected, "{origin}");
+        };
+        check("http://localhost:8340", true);
+        check("https://LOCALHOST:8340", true);
+        check("http://localhost", false);
+        check("http://localhost:5173", false);
+        check("http://evil.example", false);
+        check("http://localhost:8340.evil.example", false);
+        check("file://localhost:8340", false);
+        check("null", false);
+        check("", false);
     }
 
     #[test]

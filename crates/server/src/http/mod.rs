@@ -1,7 +1,8 @@
-//! The HTTP interface: the state of the devices, their pins, and the faults that one can give them.
+//! The page and the HTTP interface: the state of the devices, their pins, and the faults that one can give them.
 
 mod calls;
 mod guard;
+mod page;
 mod serve;
 mod stream;
 mod view;

@@ -1,6 +1,6 @@
 //! The listener of the HTTP interface, with its limits.
 
-use super::{Failure, Site, Token, calls, guard};
+use super::{Failure, Site, Token, calls, guard, page};
 use crate::{Error, unit::Unit};
 use axum::{
     Router,
@@ -85,7 +85,10 @@ fn routes(site: Arc<Site>) -> Router {
             Failure::new(StatusCode::METHOD_NOT_ALLOWED, "this path does not take that method")
         })
         .layer(DefaultBodyLimit::max(MAX_BODY_BYTES))
-        .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::check))
+        .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::token))
+        .layer(middleware::from_fn(page::serve))
+        .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::place))
+        .layer(middleware::from_fn(page::secure))
         .with_state(site)
 }
 

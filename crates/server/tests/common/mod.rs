@@ -273,15 +273,22 @@ impl Write for &Serial {
     }
 }
 
-/// Sends a request as it stands, and gives status and body.
-pub fn raw(address: SocketAddr, request: &str) -> (u16, String) {
+/// Sends a request as it stands, and gives head and body of the answer.
+pub fn exchange(address: SocketAddr, request: &str) -> (String, Vec<u8>) {
     let mut stream = TcpStream::connect(address).unwrap();
     stream.set_read_timeout(Some(PATIENCE)).unwrap();
     stream.write_all(request.as_bytes()).unwrap();
-    let mut answer = String::new();
-    stream.read_to_string(&mut answer).unwrap();
-    let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-    (head.split(' ').nth(1).unwrap().parse().unwrap(), body.to_owned())
+    let mut answer = Vec::new();
+    stream.read_to_end(&mut answer).unwrap();
+    let end = answer.windows(4).position(|four| four == b"\r\n\r\n").unwrap();
+    let body = answer.split_off(end + 4);
+    (String::from_utf8(answer).unwrap(), body)
+}
+
+/// The same, and gives status and body.
+pub fn raw(address: SocketAddr, request: &str) -> (u16, String) {
+    let (head, body) = exchange(address, request);
+    (head.split(' ').nth(1).unwrap().parse().unwrap(), String::from_utf8(body).unwrap())
 }
 
 /// A request with the token.
