@@ -19,12 +19,23 @@ export interface Catalog {
   units: { position: string; speed: string; encoder: string };
   programs: number;
   program_capacity: number;
+  /** Pulses-a-second controllers: the rows of their table of speeds. Empty for others. */
+  speed_windows: SpeedWindow[];
   homing: HomingMode[];
   status_bits: StatusBit[];
   actions: string[];
   parameters: ParameterInfo[];
   commands: CommandInfo[];
   pins: PinInfo[];
+}
+export interface SpeedWindow {
+  number: number;
+  from_pps: number;
+  to_pps: number;
+  least_low_pps: number;
+  step_pps: number;
+  least_ms: number;
+  delta: number;
 }
 export interface HomingMode {
   id: number;

@@ -13,4 +13,5 @@ export interface TabRow {
 }
 
 export const TABS: TabRow[] = [
+  { id: "terminal", title: "Terminal", element: "pt-terminal", load: () => import("./terminal.ts") },
 ];
