@@ -46,6 +46,11 @@ impl Clock {
         due.max(done)
     }
 
+    /// The device stands at this clock: the time that has passed since does not count.
+    pub fn stand(&mut self, now: Instant, done: Ticks) {
+        self.skipped = self.ticks(now.saturating_duration_since(self.started)).saturating_sub(done);
+    }
+
     /// How long from a moment at which `now` ticks are due until `later` are.
     pub fn until(&self, now: Ticks, later: Ticks) -> Duration {
         let nanos = u128::from(later.saturating_sub(now)) * SCALE / self.rate_micro;
@@ -98,6 +103,17 @@ mod tests {
         assert_eq!(at(200, 100_000_000, 199_900_000), 200_000_000);
         assert_eq!(at(300, 200_000_000, 299_000_000), 299_250_000, "what was due is late");
         assert_eq!(at(301, 299_250_000, Ticks::MAX), 300_250_000);
+    }
+
+    #[test]
+    fn time_that_a_device_stands_does_not_count() {
+        let start = Instant::now();
+        let mut clock = Clock::new(1_000_000, 1.0, start);
+        let at = |ms| start + Duration::from_millis(ms);
+        assert_eq!(clock.due(at(100), 0, Ticks::MAX), 100_000);
+        clock.stand(at(100), 60_000);
+        clock.stand(at(5_000), 60_000);
+        assert_eq!(clock.due(at(5_100), 60_000, Ticks::MAX), 160_000);
     }
 
     #[test]

@@ -11,6 +11,7 @@
 //! All of them end when [`Server::stop`] closes the pipe that they wait on.
 
 mod alarms;
+mod breaks;
 mod clock;
 mod endpoint;
 mod http;

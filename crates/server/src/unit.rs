@@ -3,10 +3,16 @@
 //! Nobody looks at a device in which nothing happens. Whoever has done something to it sees to it that its alarm
 //! is set for what follows.
 
-use crate::{alarms::Alarms, clock::Clock, endpoint::Sink};
+use crate::{
+    alarms::Alarms,
+    breaks::{Breaks, DebugState, Go},
+    clock::Clock,
+    endpoint::Sink,
+};
 use devices::Port;
 use sim::{DeviceConfig, DeviceState, VirtualDevice, record::RecordError};
 use std::{
+    collections::BTreeSet,
     sync::{Arc, Mutex, MutexGuard, PoisonError, Weak},
     time::{Duration, Instant},
 };
@@ -57,6 +63,8 @@ struct Live {
     clock: Clock,
     /// The alarm that is set.
     alarm: Option<Instant>,
+    /// Somebody debugs.
+    breaks: Option<Breaks>,
     speakers: Vec<(Port, Weak<dyn Sink>)>,
 }
 
@@ -76,7 +84,7 @@ impl Unit {
             name: config.name.clone(),
             model: config.model.name,
             speed,
-            live: Mutex::new(Live { device, clock, alarm: Some(now), speakers: Vec::new() }),
+            live: Mutex::new(Live { device, clock, alarm: Some(now), breaks: None, speakers: Vec::new() }),
             alarms,
             number,
         }
@@ -86,9 +94,7 @@ impl Unit {
     pub fn turn(&self) -> Turn<'_> {
         let now = Instant::now();
         let mut live = self.live();
-        let Live { device, clock, .. } = &mut *live;
-        let due = clock.due(now, device.now(), device.wake());
-        device.advance(due);
+        live.advance(now);
         live.drain(Some);
         Turn { unit: self, live, now }
     }
@@ -107,6 +113,25 @@ impl Unit {
         let result = act(&mut turn.live.device);
         turn.live.drain(Some);
         result
+    }
+
+    /// Holds programs before the lines at these addresses, and nowhere if there are none.
+    pub fn set_breakpoints(&self, addresses: BTreeSet<u16>) {
+        let mut turn = self.turn();
+        turn.live.breaks.get_or_insert_default().set(addresses);
+    }
+
+    /// Lets a program that is held go on, or holds one.
+    pub fn debug(&self, go: Go) {
+        let mut turn = self.turn();
+        let Live { device, breaks, .. } = &mut *turn.live;
+        breaks.get_or_insert_default().go(go, device);
+        turn.live.drain(Some);
+    }
+
+    /// What a debugger sees.
+    pub fn debug_state(&self) -> DebugState {
+        self.turn().live.breaks.as_ref().map(Breaks::state).unwrap_or_default()
     }
 
     /// The state of the device now.
@@ -167,8 +192,12 @@ impl Turn<'_> {
 impl Drop for Turn<'_> {
     /// Sets the alarm for what comes next, unless one will go off before that.
     fn drop(&mut self) {
-        let Live { device, clock, alarm, .. } = &mut *self.live;
-        let nap = clock.until(device.now(), device.wake()).clamp(SHORTEST_NAP, LONGEST_NAP);
+        let Live { device, clock, alarm, breaks, .. } = &mut *self.live;
+        // While a line is held nothing happens by itself.
+        let nap = match breaks.as_mut().is_some_and(|breaks| breaks.holds(device)) {
+            true => LONGEST_NAP,
+            false => clock.until(device.now(), device.wake()).clamp(SHORTEST_NAP, LONGEST_NAP),
+        };
         let at = self.now + nap;
         if alarm.is_none_or(|set| at < set) {
             *alarm = Some(at);
@@ -178,6 +207,23 @@ impl Drop for Turn<'_> {
 }
 
 impl Live {
+    /// Comes to the present time, or to a line that is held.
+    fn advance(&mut self, now: Instant) {
+        let Self { device, clock, breaks, .. } = self;
+        let Some(debugged) = breaks else {
+            return device.advance(clock.due(now, device.now(), device.wake()));
+        };
+        if !debugged.holds(device) {
+            debugged.advance(device, clock.due(now, device.now(), device.wake()));
+        }
+        if debugged.holds(device) {
+            clock.stand(now, device.now());
+        } else if debugged.is_idle() {
+            device.release_lines();
+            *breaks = None;
+        }
+    }
+
     /// From now on this client gets what the device sends by itself through the port.
     fn speaks(&mut self, port: Port, client: &Arc<dyn Sink>) {
         if self.spoke_last(port, client) {
