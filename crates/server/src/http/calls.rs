@@ -17,6 +17,7 @@ use axum::{
     http::StatusCode,
     response::{IntoResponse, Response},
 };
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 use sim::{
     FaultError, PinError, PinValue,
@@ -25,10 +26,10 @@ use sim::{
 };
 use std::sync::Arc;
 
-type Shared = State<Arc<Site>>;
-type Place<T> = Result<Path<T>, PathRejection>;
-type Body = Result<Bytes, BytesRejection>;
-type Answer<T> = Result<T, Failure>;
+pub(super) type Shared = State<Arc<Site>>;
+pub(super) type Place<T> = Result<Path<T>, PathRejection>;
+pub(super) type Body = Result<Bytes, BytesRejection>;
+pub(super) type Answer<T> = Result<T, Failure>;
 
 impl Site {
     fn find(&self, name: &str) -> Answer<usize> {
@@ -37,7 +38,7 @@ impl Site {
         })
     }
 
-    fn unit(&self, name: &str) -> Answer<&Unit> {
+    pub(super) fn unit(&self, name: &str) -> Answer<&Unit> {
         Ok(&self.units[self.find(name)?].0)
     }
 }
@@ -209,7 +210,7 @@ impl From<FaultError> for Failure {
     }
 }
 
-fn at<T>(place: Place<T>) -> Answer<T> {
+pub(super) fn at<T>(place: Place<T>) -> Answer<T> {
     place.map(|Path(place)| place).map_err(|why| Failure::new(why.status(), why.body_text()))
 }
 
@@ -217,6 +218,11 @@ fn json(body: Body) -> Answer<Value> {
     let bytes = body.map_err(|why| Failure::new(why.status(), why.body_text()))?;
     serde_json::from_slice(&bytes)
         .map_err(|why| Failure::new(StatusCode::BAD_REQUEST, format!("the body is not JSON: {why}")))
+}
+
+/// The body as something that has a form.
+pub(super) fn body_of<T: DeserializeOwned>(body: Body) -> Answer<T> {
+    serde_json::from_value(json(body)?).map_err(|why| unprocessable(why.to_string()))
 }
 
 /// A whole number of something; beyond the range it is the last one in it.

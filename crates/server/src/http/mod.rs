@@ -1,6 +1,7 @@
 //! The page and the HTTP interface: the state of the devices, their pins, and the faults that one can give them.
 
 mod calls;
+mod debug;
 mod guard;
 mod page;
 mod serve;

@@ -1,6 +1,6 @@
 //! The listener of the HTTP interface, with its limits.
 
-use super::{Failure, Site, Token, calls, guard, page};
+use super::{Failure, Site, Token, calls, debug, guard, page};
 use crate::{Error, unit::Unit};
 use axum::{
     Router,
@@ -74,6 +74,7 @@ fn routes(site: Arc<Site>) -> Router {
         .route("/axes/{axis}/lose", post(calls::lose))
         .route("/faults", get(calls::faults).post(calls::add_fault).delete(calls::clear_faults))
         .route("/faults/{id}", delete(calls::clear_fault))
+        .route("/debug", get(debug::state).put(debug::set).post(debug::go))
         .route("/mpg/{axis}", post(calls::turn_pulser))
         .route("/power-cycle", post(calls::power_cycle))
         .route("/power-cut", post(calls::power_cut));
