@@ -13,6 +13,11 @@ import "./views/controller.ts";
 import "./views/overview.ts";
 
 const TOKEN = "token";
+const THEMES: [Theme, string][] = [
+  ["system", "◐ system"],
+  ["dark", "☾ dark"],
+  ["light", "☀ light"],
+];
 
 /** The token of the address, which does not stay there, or of this tab's session. */
 function takeToken(): string {
@@ -170,8 +175,8 @@ class App extends LitElement {
         <div class="grow"></div>
         ${this.#leaseMine()}
         <select class="theme" aria-label="Colours" @change=${this.#pickTheme}>
-          ${(["system", "dark", "light"] as const).map(
-            (name) => html`<option value=${name} ?selected=${theme() === name}>${name}</option>`,
+          ${THEMES.map(
+            ([name, label]) => html`<option value=${name} ?selected=${theme() === name}>${label}</option>`,
           )}
         </select>
         <button class="stop" title="Escape" aria-keyshortcuts="Escape" @click=${() => this.#stop()}>

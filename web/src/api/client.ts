@@ -99,6 +99,9 @@ export class Api extends EventTarget {
   parameters(name: string): Promise<Record<string, Value>> {
     return this.get(this.path(name, "parameters"), 60_000);
   }
+  parameter(name: string, id: string): Promise<Value> {
+    return this.get(this.path(name, "parameters", id));
+  }
   setParameter(name: string, id: string, value: Value): Promise<void> {
     return this.send("PUT", this.path(name, "parameters", id), value);
   }

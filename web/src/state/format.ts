@@ -33,3 +33,9 @@ export function parseWhole(text: string): number | null {
   const value = sign * Number(plain.replace(/^[+-]/, ""));
   return Number.isSafeInteger(value) ? value : null;
 }
+
+/** What somebody typed as a number with or without decimals. `null` if it is none. */
+export function parseNumber(text: string): number | null {
+  const plain = text.replace(/[\s_\u2009]/g, "").replace("\u2212", "-");
+  return /^[+-]?(\d+\.?\d*|\.\d+)$/.test(plain) ? Number(plain) : parseWhole(text);
+}

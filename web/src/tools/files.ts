@@ -1,8 +1,8 @@
 // Files of the user's computer: saved as downloads, opened by the browser's own dialog.
 
-/** Saves text under a name. */
-export function save(name: string, text: string, type = "text/plain"): void {
-  const url = URL.createObjectURL(new Blob([text], { type: `${type};charset=utf-8` }));
+/** Saves text, or anything else that files are made of, under a name. */
+export function save(name: string, content: BlobPart, type = "text/plain;charset=utf-8"): void {
+  const url = URL.createObjectURL(new Blob([content], { type }));
   const link = document.createElement("a");
   link.href = url;
   link.download = name;

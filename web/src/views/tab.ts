@@ -1,10 +1,24 @@
 // A tab of a controller's page: what each is given, and how it hears of news.
 
 import { LitElement, type PropertyDeclarations, type PropertyValues } from "lit";
+import { Directive, type ElementPart, PartType, type PartInfo, directive } from "lit/directive.js";
 import type { Api } from "../api/client.ts";
 import type { Catalog, Summary } from "../api/contract.ts";
 import type { Control } from "../state/control.ts";
 import type { LiveEvent, LiveStore } from "../state/live.ts";
+
+/** Sets properties of an element, those that have changed. */
+class Give extends Directive {
+  constructor(part: PartInfo) {
+    super(part);
+    if (part.type !== PartType.ELEMENT) throw new Error("properties are given to elements");
+  }
+  render(_properties: Partial<Tab>): void {}
+  override update(part: ElementPart, [properties]: [Partial<Tab>]): void {
+    Object.assign(part.element, properties);
+  }
+}
+const give = directive(Give);
 
 /**
  * A tab derives from this and is drawn anew when one of `watches` changes. A tab that is not shown stays as it
@@ -53,6 +67,12 @@ export class Tab extends LitElement {
   /** Whether a button that changes something makes sense. */
   get usable(): boolean {
     return this.reachable && !this.locked;
+  }
+
+  /** What a part of this tab is given, where it stands in a template: `<pt-part ${this.given()}>`. */
+  protected given() {
+    const { device, catalog, live, api, control, active } = this;
+    return give({ device, catalog, live, api, control, active });
   }
 
   override connectedCallback(): void {

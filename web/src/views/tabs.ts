@@ -13,5 +13,7 @@ export interface TabRow {
 }
 
 export const TABS: TabRow[] = [
+  { id: "control", title: "Control", element: "pt-control", load: () => import("./control.ts") },
+  { id: "chart", title: "Chart", element: "pt-chart-tab", load: () => import("./chart.ts") },
   { id: "terminal", title: "Terminal", element: "pt-terminal", load: () => import("./terminal.ts") },
 ];

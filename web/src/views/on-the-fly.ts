@@ -1,0 +1,96 @@
+// Speed and target of a motor that is moving.
+
+import { css, html, nothing } from "lit";
+import { parseWhole } from "../state/format.ts";
+import { axisPicker } from "../ui/axis-picker.ts";
+import { base } from "../ui/styles.ts";
+import { attempt, say } from "../ui/toast.ts";
+import { Tab } from "./tab.ts";
+
+class OnTheFly extends Tab {
+  static override properties = { ...Tab.properties, axis: { state: true } };
+  declare axis: string;
+
+  static override styles = [
+    base,
+    css`
+      .panel {
+        height: 100%;
+      }
+      .fields {
+        display: grid;
+        grid-auto-columns: minmax(0, 1fr);
+        gap: 8px;
+        align-items: end;
+      }
+      .fields label {
+        grid-row: 1;
+      }
+      .fields button {
+        grid-column: 1 / -1;
+      }
+    `,
+  ];
+
+  override willUpdate(changed: Map<string, unknown>): void {
+    super.willUpdate(changed);
+    if (changed.has("catalog")) this.axis = this.catalog.axes[0] ?? "";
+  }
+
+  override render() {
+    const { actions, axes, language, units } = this.catalog;
+    const windows = language === "a-script";
+    return html`
+      <div class="panel stack">
+        <div class="row"><h2 class="grow">On the fly</h2>
+          ${axisPicker(axes, this.axis, "fly-axis", (axis) => (this.axis = axis))}
+        </div>
+        ${actions.includes("change_speed")
+          ? html`<form class="fields" @submit=${this.#speed}>
+              <label title=${units.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
+              ${windows
+                ? html`
+                    <label title="ms; empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
+                    <label title="Speed window, set while the motor stands; empty: as it is">SSPDM
+                      <input name="mode" class="number" type="text" inputmode="numeric" />
+                    </label>`
+                : nothing}
+              <button ?disabled=${!this.usable}>Set speed</button>
+            </form>`
+          : nothing}
+        ${actions.includes("change_target")
+          ? html`<form class="fields" @submit=${this.#target}>
+              <label title=${units.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
+              <button ?disabled=${!this.usable}>Set target</button>
+            </form>`
+          : nothing}
+      </div>
+    `;
+  }
+
+  #speed(event: SubmitEvent): void {
+    event.preventDefault();
+    const data = new FormData(event.target as HTMLFormElement);
+    const values: Record<string, number> = {};
+    for (const name of ["speed", "acceleration", "mode"]) {
+      const text = String(data.get(name) ?? "").trim();
+      if (text === "" && name !== "speed") continue;
+      const value = parseWhole(text);
+      if (value === null) {
+        say(`“${text}” is not a whole number.`, "error");
+        return;
+      }
+      values[name] = value;
+    }
+    const { axis } = this;
+    void attempt(() => this.api.act(this.device.name, { do: "change_speed", axis, speed: values["speed"]!, ...values }));
+  }
+
+  #target(event: SubmitEvent): void {
+    event.preventDefault();
+    const target = parseWhole(String(new FormData(event.target as HTMLFormElement).get("target")));
+    if (target === null) say("A target is a whole number.", "error");
+    else void attempt(() => this.api.act(this.device.name, { do: "change_target", axis: this.axis, target }));
+  }
+}
+customElements.define("pt-on-the-fly", OnTheFly);
