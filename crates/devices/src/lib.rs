@@ -15,6 +15,8 @@ pub mod controller;
 pub mod flash;
 pub mod gate;
 #[cfg(feature = "std")]
+pub mod guide;
+#[cfg(feature = "std")]
 pub mod inspect;
 #[cfg(feature = "std")]
 pub mod models;

@@ -1,6 +1,6 @@
 //! The list of controllers. A new one is a folder beside this file and one line here.
 
-use crate::{Controller, cmd4cr, flash::Flash, pd42, pmx2ed};
+use crate::{Controller, cmd4cr, flash::Flash, guide::Guide, pd42, pmx2ed};
 use alloc::boxed::Box;
 
 /// The language of a controller's standalone programs.
@@ -25,6 +25,8 @@ pub struct Model {
     pub hid_product: Option<&'static str>,
     /// Bytes of flash that it needs, a multiple of the page.
     pub flash_bytes: u32,
+    /// What people can know of it.
+    pub guide: &'static Guide,
     /// Builds one that has just been switched on, at clock 0. `seed` is what its random numbers start
     /// from.
     pub build: fn(flash: Box<dyn Flash + Send>, seed: u64) -> Box<dyn Controller + Send>,
@@ -38,6 +40,7 @@ pub static MODELS: &[Model] = &[
         language: Language::Tmcl,
         hid_product: None,
         flash_bytes: pd42::FLASH_BYTES,
+        guide: &pd42::guide::GUIDE,
         build: |flash, seed| Box::new(pd42::Pd42::new(flash, seed)),
     },
     Model {
@@ -46,6 +49,7 @@ pub static MODELS: &[Model] = &[
         language: Language::Ascript(&ascript::dialect::PERFORMAX_2),
         hid_product: Some(pmx2ed::NAME),
         flash_bytes: pmx2ed::FLASH_BYTES,
+        guide: &pmx2ed::guide::GUIDE,
         build: |flash, _| Box::new(pmx2ed::Pmx2ed::new(flash)),
     },
     Model {
@@ -54,6 +58,7 @@ pub static MODELS: &[Model] = &[
         language: Language::Ascript(&ascript::dialect::COMMANDER),
         hid_product: Some(cmd4cr::NAME),
         flash_bytes: cmd4cr::FLASH_BYTES,
+        guide: &cmd4cr::guide::GUIDE,
         build: |flash, _| Box::new(cmd4cr::Cmd4cr::new(flash)),
     },
 ];

@@ -13,6 +13,7 @@ pub static MODELS: &[Model] = &[Model {
     language: devices::Language::Tmcl,
     hid_product: None,
     flash_bytes: 8192,
+    guide: &devices::guide::Guide::NONE,
     build,
 }];
 

@@ -1,10 +1,12 @@
 //! The page of the CMD-4CR.
 
-use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED, form};
+use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED};
 use ascript::compiler::ErrorKind;
 use ascript::dialect::COMMANDER;
 use ascript::isa::Word;
+use devices::cmd4cr::guide::{HOMING, STATUS_BITS};
 use devices::cmd4cr::table::{AXES, COMMANDS};
+use devices::guide::{self, HomingMode, ascii::form};
 use motion::pps;
 use protocol::hid::ApiError;
 
@@ -159,6 +161,9 @@ const SECTION_2_1: &[(&str, Rows)] = &[
     ),
 ];
 
+/// The bits of the status word.
+const STATUS: [(&str, &str, &str); STATUS_BITS.len()] = guide::rows(&STATUS_BITS);
+
 const SECTION_2_2: &[(&str, Rows)] = &[
     (
         "Motor power (tables 2-20 and 2-21)",
@@ -201,31 +206,7 @@ const SECTION_2_2: &[(&str, Rows)] = &[
         ],
     ),
     ("StepNLoop status (table 27)", LOOP_STATUS),
-    (
-        "Axis status (table 2-28)",
-        &[
-            ("0", "accelerates", "the_status_word"),
-            ("1", "decelerates", "the_status_word"),
-            ("2", "constant speed", "the_status_word"),
-            ("3", "alarm input", "the_status_word"),
-            ("4", "positive limit input", "the_status_word"),
-            ("5", "negative limit input", "the_status_word"),
-            ("6", "home input", "the_status_word"),
-            ("7", "slowdown input", "the_status_word"),
-            ("8", "positive limit error", "errors_are_cleared_axis_by_axis"),
-            ("9", "negative limit error", "errors_are_cleared_axis_by_axis"),
-            ("10", "alarm error", "errors_are_cleared_axis_by_axis"),
-            ("11", "in-position input", "the_status_word"),
-            ("12", "error clear output", "status_and_polarity"),
-            ("13", "Z index", "the_status_word"),
-            ("14", "external start input", "the_status_word"),
-            ("15", "emergency stop input", "the_status_word"),
-            ("16", "emergency stop error", "emergency_stop"),
-            ("17", "stopped by the slowdown input", "slowdown_inputs_that_stop"),
-            ("18", "waits for the in-position input", "in_position_inputs"),
-            ("19", "waits for the external start", "external_start"),
-        ],
-    ),
+    ("Axis status (table 2-28)", &STATUS),
     ("Units of speed (table 2-29)", UNITS_OF_SPEED),
 ];
 
@@ -322,33 +303,17 @@ const APPENDICES: &[(&str, Rows)] = &[
     ),
 ];
 
-/// The modes of appendix A: what they seek, and whether it is the home switch.
-const HOMING_MODES: [(&str, bool); 13] = [
-    ("home; decelerates", true),
-    ("home; back and again at low speed", true),
-    ("home, then index at low speed", true),
-    ("home, then index at high speed", true),
-    ("home, then index on the way back at low speed", true),
-    ("home, then index on the way back at high speed", true),
-    ("limit; off it at low speed", false),
-    ("limit, then index on the way back at low speed", false),
-    ("limit, then index on the way back at high speed", false),
-    ("as 0, and back to zero", true),
-    ("as 3, and back to zero", true),
-    ("as 5, and back to zero", true),
-    ("as 8, and back to zero", false),
-];
-
 /// The operations of the drawings of appendix A.
 fn homing_rows() -> Vec<String> {
     let mut rows = Vec::new();
-    for (mode, (what, by_home)) in HOMING_MODES.into_iter().enumerate() {
+    for HomingMode { id: mode, name: what, .. } in &HOMING {
+        let by_home = !matches!(mode, 6..=8 | 12);
         rows.push(format!("| {mode}, operation 1 | {what} | `homing_modes` |"));
         if by_home {
             rows.push(format!("| {mode}, operation 2 | started on the home switch | `operations_2_and_3` |"));
             rows.push(format!("| {mode}, operation 3 | started away from it | `operations_2_and_3` |"));
         }
-        if mode == 0 {
+        if *mode == 0 {
             for (operation, what) in [
                 (1, "slows down on the slowdown switch, stops at home"),
                 (2, "started on the slowdown switch"),

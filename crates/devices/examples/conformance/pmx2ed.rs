@@ -1,7 +1,9 @@
 //! The page of the PMX-2ED-SA.
 
-use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED, form};
+use crate::ascii::{self, LOOP_STATUS, Rows, UNITS_OF_SPEED};
 use ascript::dialect::PERFORMAX_2;
+use devices::guide::{self, ascii::form};
+use devices::pmx2ed::guide::{HOMING, STATUS_BITS};
 use devices::pmx2ed::table::{AXES, COMMANDS, Id};
 use motion::pps::PERFORMAX;
 
@@ -38,26 +40,24 @@ const ERRORS: Rows = &[
     ),
 ];
 
+/// The bits of the status word.
+const STATUS: [(&str, &str, &str); STATUS_BITS.len()] = guide::rows(&STATUS_BITS);
+
+/// The routines by their sections.
+const HOMING_MODES: [(&str, &str, &str); HOMING.len()] = {
+    let mut rows = [("", "", ""); HOMING.len()];
+    let mut at = 0;
+    while at < rows.len() {
+        rows[at] = (HOMING[at].section, HOMING[at].name, HOMING[at].test);
+        at += 1;
+    }
+    rows
+};
+
 const TABLES: &[(&str, Rows)] = &[
     ("Units of speed (table 7.0)", UNITS_OF_SPEED),
     ("Enable outputs (table 7.1)", &[("0", "EO1, X", "motor_power"), ("1", "EO2, Y", "motor_power")]),
-    (
-        "Motor status (table 7.2)",
-        &[
-            ("0", "accelerates", "the_status_word"),
-            ("1", "decelerates", "the_status_word"),
-            ("2", "constant speed", "the_status_word"),
-            ("3", "not used", "the_status_word"),
-            ("4", "plus limit input", "limits_latch_errors"),
-            ("5", "minus limit input", "limits_latch_errors"),
-            ("6", "home input", "the_status_word"),
-            ("7", "plus limit error", "limits_latch_errors"),
-            ("8", "minus limit error", "limits_latch_errors"),
-            ("9", "Z index", "the_status_word"),
-            ("10", "joystick control", "joystick_control"),
-            ("11", "communication time-out", "communication_time_out"),
-        ],
-    ),
+    ("Motor status (table 7.2)", &STATUS),
     (
         "Digital inputs and outputs (tables 7.3 and 7.4)",
         &[
@@ -128,16 +128,7 @@ const TABLES: &[(&str, Rows)] = &[
         "Run on boot (table 7.14)",
         &[("0", "program 0", "programs_run_on_boot"), ("1", "program 1", "programs_run_on_boot")],
     ),
-    (
-        "Homing (section 7.10)",
-        &[
-            ("7.10.1", "home input, high speed", "homing_at_high_speed"),
-            ("7.10.2", "limit", "homing_by_a_limit"),
-            ("7.10.3", "home input and Z index", "homing_by_home_and_index"),
-            ("7.10.4", "Z index", "homing_by_the_index"),
-            ("7.10.5", "home input, high and low speed", "homing_high_and_low_speed"),
-        ],
-    ),
+    ("Homing (section 7.10)", &HOMING_MODES),
     (
         "Ramps of positional moves (section A.2)",
         &[

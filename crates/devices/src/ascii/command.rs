@@ -112,6 +112,8 @@ impl Value {
 #[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug)]
 pub struct About {
+    /// Its name: words that begin with capitals, without spaces.
+    pub title: &'static str,
     /// Unit of its value; empty for a plain number or none.
     pub unit: &'static str,
     /// What it does, in a sentence.
@@ -189,6 +191,7 @@ macro_rules! commands {
             value: $value,
             #[cfg(feature = "std")]
             about: $crate::ascii::command::About {
+                title: stringify!($id),
                 unit: $unit,
                 text: $text,
                 section: $section,

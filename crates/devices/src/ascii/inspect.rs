@@ -50,6 +50,11 @@ pub fn reader<'a, I>(table: &'static [Command<I>], axes: &str, name: &'a str) ->
     (line.value.is_none() && is_number(line.command.value)).then_some(line)
 }
 
+/// Whether this command is the one that a host reads by this name.
+pub fn is_read_by<I>(table: &'static [Command<I>], axes: &str, name: &str, command: &Command<I>) -> bool {
+    parse(table, axes, name).is_ok_and(|line| core::ptr::eq(line.command, command))
+}
+
 /// Whether the command without `=` gives a number.
 const fn is_number(value: Value) -> bool {
     value.can_ask() && !matches!(value, Value::None | Value::Text { .. })

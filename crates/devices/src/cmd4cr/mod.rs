@@ -17,6 +17,8 @@ mod capture;
 mod commands;
 mod erc;
 mod feedback;
+#[cfg(feature = "std")]
+pub mod guide;
 mod homing;
 #[cfg(feature = "std")]
 mod inspect;

@@ -17,6 +17,8 @@ mod driver;
 mod encoders;
 pub mod global_parameters;
 #[cfg(feature = "std")]
+pub mod guide;
+#[cfg(feature = "std")]
 mod inspect;
 mod memory;
 mod motion;

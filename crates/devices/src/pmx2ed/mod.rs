@@ -11,6 +11,8 @@
 mod commands;
 mod feedback;
 #[cfg(feature = "std")]
+pub mod guide;
+#[cfg(feature = "std")]
 mod inspect;
 mod io;
 mod joystick;

@@ -30,6 +30,7 @@ pub static PARROT: Model = Model {
     language: devices::Language::Tmcl,
     hid_product: Some("PARROT-"),
     flash_bytes: 8192,
+    guide: &devices::guide::Guide::NONE,
     build: parrot,
 };
 
