@@ -13,6 +13,7 @@
 mod alarms;
 mod breaks;
 mod clock;
+mod desk;
 mod endpoint;
 mod http;
 mod images;

@@ -2,34 +2,23 @@
 
 use super::{
     Failure, Site,
+    request::{Answer, Body, Place, Shared, at, json, unprocessable},
     stream::stream as states,
     view::{Summary, View},
 };
 use crate::unit::Unit;
 use axum::{
     Json,
-    body::Bytes,
-    extract::{
-        Path, State, WebSocketUpgrade,
-        rejection::{BytesRejection, PathRejection},
-        ws::rejection::WebSocketUpgradeRejection,
-    },
+    extract::{State, WebSocketUpgrade, ws::rejection::WebSocketUpgradeRejection},
     http::StatusCode,
     response::{IntoResponse, Response},
 };
-use serde::de::DeserializeOwned;
 use serde_json::Value;
 use sim::{
     FaultError, PinError, PinValue,
     device::AxisError,
     fault::{Entry, FaultView},
 };
-use std::sync::Arc;
-
-pub(super) type Shared = State<Arc<Site>>;
-pub(super) type Place<T> = Result<Path<T>, PathRejection>;
-pub(super) type Body = Result<Bytes, BytesRejection>;
-pub(super) type Answer<T> = Result<T, Failure>;
 
 impl Site {
     fn find(&self, name: &str) -> Answer<usize> {
@@ -100,7 +89,7 @@ pub async fn release_pin(State(site): Shared, place: Place<(String, String)>) ->
 pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
     let (name, axis) = at(place)?;
     let unit = site.unit(&name)?;
-    let value = json(body)?;
+    let value: Value = json(body)?;
     let load = value.as_f64().ok_or_else(|| unprocessable(format!("`{value}` is not a number")))?;
     unit.with(|device| device.set_load(&axis, load))?;
     Ok(StatusCode::NO_CONTENT)
@@ -136,7 +125,7 @@ pub async fn add_fault(State(site): Shared, place: Place<String>, body: Body) ->
     let entry: Entry = serde_json::from_value(json(body)?)
         .map_err(|why| unprocessable(format!("this is no fault: {why}")))?;
     if entry.device.is_some() {
-        return Err(unprocessable("device: the path says which device it is".into()));
+        return Err(unprocessable("device: the path says which device it is"));
     }
     let id = unit.with(|device| device.plan_entry(&entry))?;
     Ok((StatusCode::CREATED, Json(serde_json::json!({ "id": id }))).into_response())
@@ -210,28 +199,9 @@ impl From<FaultError> for Failure {
     }
 }
 
-pub(super) fn at<T>(place: Place<T>) -> Answer<T> {
-    place.map(|Path(place)| place).map_err(|why| Failure::new(why.status(), why.body_text()))
-}
-
-fn json(body: Body) -> Answer<Value> {
-    let bytes = body.map_err(|why| Failure::new(why.status(), why.body_text()))?;
-    serde_json::from_slice(&bytes)
-        .map_err(|why| Failure::new(StatusCode::BAD_REQUEST, format!("the body is not JSON: {why}")))
-}
-
-/// The body as something that has a form.
-pub(super) fn body_of<T: DeserializeOwned>(body: Body) -> Answer<T> {
-    serde_json::from_value(json(body)?).map_err(|why| unprocessable(why.to_string()))
-}
-
 /// A whole number of something; beyond the range it is the last one in it.
 fn whole(body: Body, what: &str) -> Answer<i64> {
-    let value = json(body)?;
+    let value: Value = json(body)?;
     let number = value.as_f64().filter(|number| number.fract() == 0.0);
     Ok(number.ok_or_else(|| unprocessable(format!("`{value}` is not a number of {what}")))? as i64)
-}
-
-fn unprocessable(message: String) -> Failure {
-    Failure::new(StatusCode::UNPROCESSABLE_ENTITY, message)
 }

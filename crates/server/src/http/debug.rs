@@ -2,7 +2,7 @@
 
 use super::{
     Failure,
-    calls::{Answer, Body, Place, Shared, at, body_of},
+    request::{Answer, Body, Place, Shared, at, json},
 };
 use crate::breaks::{DebugState, Go, MAX_BREAKPOINTS};
 use axum::{Json, http::StatusCode};
@@ -29,7 +29,7 @@ pub async fn state(site: Shared, place: Place<String>) -> Answer<Json<DebugState
 /// `PUT /api/devices/NAME/debug`: the addresses at which programs are held, all of them.
 pub async fn set(site: Shared, place: Place<String>, body: Body) -> Answer<Json<DebugState>> {
     let unit = site.unit(&at(place)?)?;
-    let Breakpoints { breakpoints } = body_of(body)?;
+    let Breakpoints { breakpoints } = json(body)?;
     if breakpoints.len() > MAX_BREAKPOINTS {
         let message = format!("there are {MAX_BREAKPOINTS} breakpoints at most");
         return Err(Failure::new(StatusCode::UNPROCESSABLE_ENTITY, message));
@@ -41,6 +41,6 @@ pub async fn set(site: Shared, place: Place<String>, body: Body) -> Answer<Json<
 /// `POST /api/devices/NAME/debug`: a step, or on.
 pub async fn go(site: Shared, place: Place<String>, body: Body) -> Answer<Json<DebugState>> {
     let unit = site.unit(&at(place)?)?;
-    unit.debug(body_of::<Command>(body)?.r#do);
+    unit.debug(json::<Command>(body)?.r#do);
     Ok(Json(unit.debug_state()))
 }

@@ -4,11 +4,13 @@ mod calls;
 mod debug;
 mod guard;
 mod page;
+mod request;
 mod serve;
 mod stream;
 mod view;
 
 pub use guard::Token;
+pub(crate) use request::{Answer, Place, Problem, at};
 pub(crate) use serve::Http;
 
 use crate::unit::Unit;
@@ -29,18 +31,18 @@ pub(crate) struct Site {
 
 /// A call that did not do what it should: a status and one sentence for people.
 #[derive(Debug)]
-struct Failure {
+pub(crate) struct Failure {
     status: StatusCode,
     message: String,
 }
 
 impl Failure {
-    fn new(status: StatusCode, message: impl Into<String>) -> Self {
+    pub fn new(status: StatusCode, message: impl Into<String>) -> Self {
         Self { status, message: message.into() }
     }
 
     /// There is no such thing; `known` are those that there are.
-    fn unknown<'a>(kind: &str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+    pub fn unknown<'a>(kind: &str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<_> = known.into_iter().collect();
         Self::new(StatusCode::NOT_FOUND, format!("unknown {kind} `{name}`, known: {}", known.join(", ")))
     }
@@ -48,7 +50,7 @@ impl Failure {
 
 impl IntoResponse for Failure {
     fn into_response(self) -> Response {
-        let body = Json(serde_json::json!({ "error": self.message }));
+        let body = Json(Problem { error: self.message });
         if self.status == StatusCode::UNAUTHORIZED {
             return (self.status, [(header::WWW_AUTHENTICATE, "Bearer")], body).into_response();
         }

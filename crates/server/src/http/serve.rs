@@ -1,7 +1,7 @@
 //! The listener of the HTTP interface, with its limits.
 
 use super::{Failure, Site, Token, calls, debug, guard, page};
-use crate::{Error, unit::Unit};
+use crate::{Error, desk, unit::Unit};
 use axum::{
     Router,
     extract::DefaultBodyLimit,
@@ -79,6 +79,7 @@ fn routes(site: Arc<Site>) -> Router {
         .route("/power-cycle", post(calls::power_cycle))
         .route("/power-cut", post(calls::power_cut));
     Router::new()
+        .merge(desk::routes())
         .route("/api/devices", get(calls::devices))
         .nest("/api/devices/{device}", device)
         .fallback(async || Failure::new(StatusCode::NOT_FOUND, "there is nothing here"))
