@@ -40,6 +40,15 @@ const FREE = /^\/api\/(lease|find|devices\/[^/]+\/(stop|program\/compile))$/;
 /** A fault that waits or is active, as `GET .../faults` lists it: its number, and the keys that it was given. */
 export type Fault = { id: number } & Record<string, unknown>;
 
+/** A kind of faults: the keys that it needs and those that it may have. */
+export interface FaultKind {
+  name: string;
+  text: string;
+  needs: string[];
+  may: string[];
+  lasts: boolean;
+}
+
 export class Api extends EventTarget {
   /** The newest lease if this page has control. */
   lease: string | null = null;
@@ -171,6 +180,9 @@ export class Api extends EventTarget {
   }
   powerCut(name: string): Promise<void> {
     return this.send("POST", this.path(name, "power-cut"));
+  }
+  faultKinds(): Promise<FaultKind[]> {
+    return this.get("/api/faults");
   }
   faults(name: string): Promise<Fault[]> {
     return this.get(this.path(name, "faults"));

@@ -15,5 +15,6 @@ export interface TabRow {
 export const TABS: TabRow[] = [
   { id: "control", title: "Control", element: "pt-control", load: () => import("./control.ts") },
   { id: "chart", title: "Chart", element: "pt-chart-tab", load: () => import("./chart.ts") },
+  { id: "io", title: "I/O", element: "pt-io", load: () => import("./io.ts") },
   { id: "terminal", title: "Terminal", element: "pt-terminal", load: () => import("./terminal.ts") },
 ];

@@ -1,1 +1,0 @@
-import{_ as e,u as t,v as n}from"./index-BxtdbyeB.js";import"./curves-C9JSVRB_.js";import{t as r}from"./tab-Cidh_shg.js";var i=class extends r{static styles=[t,n``];render(){return e`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);

@@ -1,0 +1,357 @@
+import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-6YsHXptu.js";import{t as f}from"./tab-Bk1Yzmbc.js";var p=1e3,m=[`pin`,`axis`,`port`,`way`,`bytes`],h={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},g=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
+      .fields {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
+        gap: 8px;
+      }
+      .about {
+        font-size: 13px;
+        color: var(--muted);
+      }
+    `];constructor(){super(),this.faults=[],this.kinds=[],this.kind=``,this.problem=null}connectedCallback(){super.connectedCallback(),this.#t()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e)}async#t(){if(clearTimeout(this.#e),this.active&&!document.hidden)try{this.kinds.length===0&&(this.kinds=await this.api.faultKinds(),this.kind||=this.kinds[0]?.name??``),this.faults=await this.api.faults(this.device.name),this.problem=null}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#t(),p))}render(){let t=this.kinds.find(({name:e})=>e===this.kind),{name:n}=this.device;return u`
+      <section class="panel stack" aria-label="Power and faults">
+        <div class="row"><h2 class="grow">Power</h2>
+          <button class="small" ?disabled=${!this.usable} title="Off and on again"
+            @click=${()=>o(()=>this.api.powerCycle(n),`Switched off and on`)}>Power cycle</button>
+          <button class="small danger" ?disabled=${!this.usable} title="What flash had not finished is lost" @click=${this.#n}>Power cut</button>
+        </div>
+        <h2>Faults on purpose</h2>
+        ${this.problem?u`<p class="error-text">${this.problem}</p>`:e}
+        ${this.#r()}
+        ${t?this.#a(t):e}
+      </section>
+    `}async#n(){await r({heading:`Cut the power?`,text:`The controller starts again at once; what its flash was writing is lost or torn.`,yes:`Cut`,danger:!0})&&await o(()=>this.api.powerCut(this.device.name),`Power cut`)}#r(){return this.faults.length===0?u`<p class="muted">There is none.</p>`:u`
+      <table>
+        <thead><tr><th>Fault</th><th>With</th><th>State</th>
+          <th><button class="small plain" ?disabled=${!this.usable}
+            @click=${()=>this.#i(()=>this.api.clearFaults(this.device.name))}>Clear all</button></th></tr></thead>
+        <tbody>
+          ${this.faults.map(e=>{let{id:t,kind:n,state:r,...i}=e,a=Object.entries(i).map(([e,t])=>`${e} ${typeof t==`object`?JSON.stringify(t):String(t)}`);return u`
+              <tr><td>${_(String(n))}</td><td>${a.join(`, `)}</td>
+                <td><span class="badge ${r===`active`?`error`:`warn`}">${r}</span></td>
+                <td><button class="small" ?disabled=${!this.usable} aria-label="Clear ${_(String(n))}"
+                  @click=${()=>this.#i(()=>this.api.clearFault(this.device.name,t))}>Clear</button></td></tr>`})}
+        </tbody>
+      </table>
+    `}async#i(e){await o(e),await this.#t()}#a(e){let t=[`at`,...e.lasts?[`duration`]:[]];return u`
+      <form class="stack" @submit=${this.#c}>
+        <label>Kind
+          <select @change=${e=>this.kind=e.target.value}>
+            ${this.kinds.map(({name:e})=>u`<option value=${e} ?selected=${e===this.kind}>${_(e)}</option>`)}
+          </select>
+        </label>
+        <p class="about">${e.text}</p>
+        <div class="fields">
+          ${e.needs.map(e=>this.#o(e,!0))} ${e.may.map(e=>this.#o(e,!1))}
+          ${t.map(e=>this.#o(e,!1))}
+        </div>
+        <div class="row"><span class="grow"></span><button ?disabled=${!this.usable}>Add</button></div>
+      </form>
+    `}#o(t,n){let r=`${t===`at`?`begins in`:_(t)}${h[t]?` (${h[t]})`:``}`,i=this.#s(t);return i?u`<label>${r}<select name=${t}>
+        ${n?e:u`<option value="">any</option>`}
+        ${i.map(e=>u`<option>${e}</option>`)}</select></label>`:u`<label>${r}<input name=${t} type="text" class="number" autocomplete="off" ?required=${n} /></label>`}#s(e){switch(e){case`axis`:return this.catalog.axes;case`pin`:return this.catalog.pins.filter(({kind:e})=>e!==`output`&&e!==`analog_output`).map(({name:e})=>e);case`way`:return[`in`,`out`];case`value`:return[`true`,`false`];default:return null}}#c(e){e.preventDefault();let n={kind:this.kind};for(let[r,i]of new FormData(e.target)){let e=String(i).trim();if(e===``)continue;let a=m.includes(r)?e:r===`value`?e===`true`:t(e);if(a===null){l(`${_(r)}: “${e}” is not a number.`,`error`);return}n[r]=a}this.#i(()=>this.api.addFault(this.device.name,n))}};customElements.define(`pt-faults`,g);function _(e){return e.replaceAll(`_`,` `)}var v=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>o(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},y=30,b=1e4;function x(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/b)*b;n.push(t-b,t+b)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:y,low:r,high:i,perPulse:a,x:e=>y+(e-r)*a,pulse:e=>r+(e-y)/a}}function S(e,t){let n=e.circumference;return(t%n+n)%n/n}function C(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=S(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function w(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(S(e,n)-S(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var T=80,E=.35,D=88,O=38,k=172,A=48,j=5,M=1.5,N=[`negative limit`,`home`,`positive limit`],P={"negative limit":`−L`,home:`H`,"positive limit":`+L`},F=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,n`
+      .axis + .axis {
+        margin-top: 10px;
+        padding-top: 10px;
+        border-top: 1px solid var(--line);
+      }
+      .head {
+        font-size: 13px;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        font-size: 11px;
+        font-variant-numeric: tabular-nums;
+        touch-action: pan-y;
+      }
+      text {
+        fill: var(--muted);
+      }
+      .rail {
+        stroke: var(--strong-line);
+        stroke-width: 4;
+        stroke-linecap: round;
+        fill: none;
+      }
+      .mark {
+        stroke: var(--line);
+        stroke-width: 1.5;
+      }
+      .home {
+        fill: var(--ok);
+        opacity: 0.75;
+      }
+      .home-arc {
+        stroke: var(--ok);
+        stroke-width: 6;
+        fill: none;
+      }
+      .carriage {
+        fill: var(--accent);
+      }
+      .slack {
+        fill: var(--accent);
+        opacity: 0.25;
+      }
+      .hand {
+        stroke: var(--accent);
+        stroke-width: 4;
+        stroke-linecap: round;
+      }
+      .switch {
+        cursor: grab;
+        touch-action: none;
+        outline: none;
+      }
+      .switch .body {
+        fill: var(--panel);
+        stroke: var(--strong-line);
+        stroke-width: 2;
+      }
+      .switch text {
+        fill: var(--text);
+        font-weight: 650;
+        text-anchor: middle;
+      }
+      .switch.on .body {
+        fill: var(--ok);
+        stroke: var(--ok);
+      }
+      .switch.on.limit .body {
+        fill: var(--error);
+        stroke: var(--error);
+      }
+      .switch.on text {
+        fill: var(--panel);
+      }
+      .switch:focus-visible .body {
+        stroke: var(--accent);
+        stroke-width: 3;
+      }
+      .tools {
+        display: grid;
+        grid-template-columns: minmax(180px, 1fr) auto;
+        gap: 6px 18px;
+        align-items: center;
+      }
+      .load {
+        display: grid;
+        grid-template-columns: auto 1fr 4em;
+        gap: 8px;
+        align-items: center;
+        font-size: 13px;
+      }
+      .load output {
+        text-align: right;
+      }
+      .hand-tools input {
+        width: 90px;
+      }
+      @media (max-width: 600px) {
+        .tools {
+          grid-template-columns: 1fr;
+        }
+      }
+    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:T))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(w(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*E;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${x(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(S(e,t)*360).toFixed(2)})`}render(){return this.machine?u`
+      <section class="panel stack" aria-label="Machine">
+        <div class="row"><h2>Machine</h2>
+          <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
+        <div>
+          ${Object.entries(this.machine.axes).map(([t,n])=>u`
+            <div class="axis">
+              <div class="row head"><strong>${t}</strong>
+                <span class="muted">shaft ${c(n.shaft)} · counter ${c(this.live.status?.axes[t]?.position)}
+                  ${n.backlash?`· backlash ${c(n.backlash)}`:e}</span>
+              </div>
+              ${n.circumference===null?this.#c(t,n):this.#u(t,n)}
+              ${this.#S(t,n)}
+            </div>`)}
+        </div>
+      </section>
+    `:u`<section class="panel"><h2>Machine</h2>
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(t,n){let r=x(n,this.width),i=n.backlash*r.perPulse;return u`
+      <svg viewBox="0 0 ${this.width} ${D}" height=${D} role="group"
+        aria-label="Stage of axis ${t}, from ${n.negative_limit??`no limit`} to ${n.positive_limit??`no limit`}">
+        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${O} y2=${O} />
+        ${this.#l(n,r)}
+        ${n.home?d`<rect class="home" x=${r.x(n.home[0])} y=${35} height="6" rx="1"
+              width=${Math.max(3,r.x(n.home[1])-r.x(n.home[0]))} />`:e}
+        <g data-shaft=${t} transform=${this.#s(n,this.#n.get(t)??n.shaft)}>
+          ${i>=1?d`<rect class="slack" x=${-14-i/2} y=${8} width=${28+i} height="24" rx="4" />`:e}
+          <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
+          <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
+        </g>
+        ${N.map(e=>this.#d(t,n,e,r))}
+      </svg>
+    `}#l(t,n){let r=t.index_every;if(!r||r*n.perPulse<j)return r?d`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(r)}</text>`:e;let i=Math.ceil(n.low/r),a=Math.floor(n.high/r)-i+1;return Array.from({length:a},(e,t)=>{let a=n.x((i+t)*r);return d`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(t,n){let{width:r}=this,i=n.index_every??0,a=i>0?Math.min(360,Math.floor(n.circumference/i)):0;return u`
+      <svg viewBox="${-r/2} ${-86} ${r} ${k}" height=${k} role="group"
+        aria-label="Shaft of axis ${t}, ${n.circumference} to the turn">
+        <circle class="rail" r=${A} />
+        ${Array.from({length:a},(e,t)=>d`<line class="mark" transform="rotate(${S(n,t*i)*360})" y1=${-43} y2=${-37} />`)}
+        ${n.home?d`<path class="home-arc" d=${C(n,n.home,A)} />`:e}
+        <g data-shaft=${t} transform=${this.#s(n,this.#n.get(t)??n.shaft)}>
+          <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
+        </g>
+        ${N.map(e=>this.#f(t,n,e))}
+        <text x=${92} y="4">${c(n.circumference)} a turn</text>
+      </svg>
+    `}#d(t,n,r,i){let a=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(a===null||!this.#g(t,r))return e;let o=i.x(this.#h(t,r)??a);return this.#p(t,r,`translate(${o} 62)`,e=>i.pulse(this.#m(e)),d`
+      <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
+      <text y="4">${P[r]}</text>`,d`<text y="24">${c(a)}</text>`)}#f(t,n,r){let i=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(i===null||!this.#g(t,r))return e;let a=S(n,this.#h(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#p(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},d`<circle class="body" r="12" /><text y="4">${P[r]}</text>`,e)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return d`
+      <g class="switch ${o?`on`:``} ${t===`home`?``:`limit`}" transform=${n} tabindex="0" role="button"
+        aria-label="${t} switch of ${e}, ${o?`on`:`off`}" aria-pressed=${o?`true`:`false`}
+        @pointerdown=${n=>this.#v(n,e,t,r(n))}
+        @pointermove=${n=>this.#y(e,t,()=>r(n))}
+        @pointerup=${()=>this.#x()} @pointercancel=${()=>this.#x()} @lostpointercapture=${()=>this.#x()}
+        @keydown=${s} @keyup=${s} @blur=${()=>this.#x()}>
+        ${i} ${a}
+      </g>
+    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new v(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new v(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return u`
+      <div class="tools">
+        <div class="load">
+          <label for="load-${e}">Load</label>
+          <input id="load-${e}" type="range" min="0" max=${M} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
+            title="Part of the motor's pull-out torque; above 1 it stalls"
+            @change=${t=>this.#C(e,Number(t.target.value))} />
+          <output class=${t.load>1?`error-text`:``}>${Math.round(t.load*100)} %</output>
+        </div>
+        <form class="row hand-tools" @submit=${t=>this.#w(t,e)}>
+          <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${e}" />
+          <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
+          <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
+        </form>
+      </div>
+    `}#C(e,t){o(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;o(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,F);var I=60,L=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=0;#n=0;static styles=[i,n`
+      .tiles {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
+        gap: 6px;
+      }
+      .tile {
+        display: flex;
+        align-items: center;
+        justify-content: flex-start;
+        gap: 7px;
+        min-height: 34px;
+        padding: 2px 9px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--raised);
+        overflow: hidden;
+        text-align: left;
+        touch-action: none;
+      }
+      button.tile {
+        border-color: var(--strong-line);
+      }
+      .tile i {
+        flex: none;
+        width: 11px;
+        height: 11px;
+        border: 2px solid var(--strong-line);
+        border-radius: 50%;
+      }
+      .tile.on i {
+        border-color: var(--ok);
+        background: var(--ok);
+      }
+      .tile.on {
+        font-weight: 650;
+      }
+      .tile.driven {
+        border-color: var(--accent);
+        box-shadow: inset 0 0 0 1px var(--accent);
+      }
+      .tile small {
+        display: block;
+        color: var(--muted);
+        font-weight: 400;
+        font-size: 11px;
+        line-height: 12px;
+      }
+      .tile span {
+        line-height: 16px;
+      }
+      .analog {
+        display: grid;
+        grid-template-columns: auto minmax(60px, 1fr) auto 34px;
+        gap: 6px 10px;
+        align-items: center;
+      }
+      .analog input {
+        width: 100%;
+        min-width: 0;
+      }
+      .analog output {
+        min-width: 5em;
+        text-align: right;
+      }
+      .sub {
+        margin: 2px 0 4px;
+      }
+    `];constructor(){super(),this.keep=!1,this.driven=new Map}disconnectedCallback(){super.disconnectedCallback();for(let e of this.#e.values())e.set(!1)}get#r(){return this.device.kind===`virtual`}render(){let{pins:t}=this.catalog,n=this.live.status?.outputs??{},r=e=>e.kind===`output`||e.kind===`port`&&e.name in n,i=t.filter(e=>[`input`,`index`,`port`].includes(e.kind)&&!r(e)),a=t.filter(e=>e.kind===`analog`),o=t.filter(e=>e.kind===`analog_output`);return u`
+      <section class="panel stack" aria-label="Inputs and outputs">
+        <div class="row"><h2 class="grow">Inputs</h2>
+          ${this.#r?u`<label class="line" title="A click presses, another one lets go">
+                <input type="checkbox" .checked=${this.keep} @change=${e=>this.keep=e.target.checked} />
+                keep pressed</label>`:e}
+        </div>
+        ${this.#i(i)}
+        <h2>Outputs</h2>
+        <div class="tiles">${t.filter(r).map(e=>this.#l(e))}</div>
+        ${a.length+o.length>0?u`<h2>Analog</h2>
+              <div class="analog">${a.map(e=>this.#u(e))} ${o.map(e=>this.#p(e))}</div>`:e}
+      </section>
+    `}#i(t){return[null,...this.catalog.axes].map(n=>{let r=t.filter(e=>this.#a(e)===n);return r.length===0?e:u`
+        <div>
+          ${n===null?e:u`<h3 class="sub">Axis ${n}</h3>`}
+          <div class="tiles">${r.map(e=>this.#s(e))}</div>
+        </div>
+      `})}#a({axis:e,name:t,kind:n}){if(e!==null)return e;let r=t.at(-1)??``;return n===`input`&&/[A-Z]/.test(r)&&t.length>3&&this.catalog.axes.includes(r)?r:null}#o(e){let t=this.live.status?.inputs[e.name];if(t!==void 0)return t===!0||typeof t==`number`&&t!==0;let n=e.axis===null?void 0:this.live.status?.axes[e.axis];if(!n)return null;switch(e.role){case`negative limit`:return n.negative_limit;case`positive limit`:return n.positive_limit;case`home`:return n.home;case`index`:return n.index;default:return null}}#s(t){let n=this.#o(t),r=this.#e.get(t.name),i=`${t.name}${t.role?`, ${t.role}`:``}${n===null?``:n?`, on`:`, off`}`,a=u`<i></i><span>${t.name} ${t.role?u`<small>${t.role}</small>`:e}</span>`,o=`tile ${n?`on`:``} ${r?.pressed?`driven`:``}`;if(!this.#r)return u`<div class=${o} role="img" aria-label=${i} title=${i}>${a}</div>`;let s=()=>{this.keep||this.#c(t.name,!1)};return u`
+      <button class=${o} title=${i} aria-label=${i} aria-pressed=${r?.pressed??!1} ?disabled=${!this.usable}
+        @pointerdown=${e=>{e.button===0&&(this.keep||e.currentTarget.setPointerCapture(e.pointerId),this.#c(t.name,!this.keep||!r?.pressed))}}
+        @pointerup=${s} @pointercancel=${s} @blur=${s} @contextmenu=${e=>e.preventDefault()}
+        @keydown=${e=>{e.repeat||e.key!==` `&&e.key!==`Enter`||(e.preventDefault(),this.#c(t.name,!this.keep||!r?.pressed))}}
+        @keyup=${s}>${a}</button>
+    `}#c(e,t){let n=this.#e.get(e)??new v(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#l(t){let n=this.live.status?.outputs[t.name],r=n===!0||typeof n==`number`&&n!==0,i=n!==void 0&&this.catalog.actions.includes(`output`);return u`
+      <button class="tile ${r?`on`:``}" role="switch" aria-checked=${r} ?disabled=${!this.usable||!i}
+        title="${t.name}${t.role?`, ${t.role}`:``}: ${i?r?`on`:`off`:`cannot be set from here`}"
+        @click=${()=>o(()=>this.api.act(this.device.name,{do:`output`,name:t.name,value:!r}))}>
+        <i></i><span>${t.name} ${t.role?u`<small>${t.role}</small>`:e}</span>
+      </button>
+    `}#u(t){let n=this.live.status?.inputs[t.name],r=typeof n==`number`?n:this.driven.get(t.name)??null,i=this.#r&&t.low!==null&&t.high!==null,a=t.role===`joystick`;return u`
+      <span>${t.name} <small class="muted">${t.role}</small></span>
+      ${i?u`<input type="range" min=${t.low} max=${t.high} step="any" ?disabled=${!this.usable}
+            aria-label="${t.name}${t.role?`, ${t.role}`:``}" .value=${String(this.driven.get(t.name)??r??t.low)}
+            @input=${e=>this.#d(t.name,Number(e.target.value))}
+            @change=${()=>a&&!this.keep?this.#f(t.name):e} />`:u`<span></span>`}
+      <output>${c(r)} ${t.unit}</output>
+      ${i?u`<button class="small plain" ?disabled=${!this.driven.has(t.name)} title="Give it back to the machine"
+            aria-label="Give ${t.name} back to the machine" @click=${()=>this.#f(t.name)}>✕</button>`:u`<span></span>`}
+    `}#d(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),clearTimeout(this.#n);let n=()=>{this.#t=performance.now();let t=this.driven.get(e);t!==void 0&&o(()=>this.api.drivePin(this.device.name,e,t))},r=this.#t+I-performance.now();r<=0?n():this.#n=window.setTimeout(n,r)}#f(e){clearTimeout(this.#n);let t=new Map(this.driven);t.delete(e),this.driven=t,o(()=>this.api.releasePin(this.device.name,e))}#p(e){let t=this.live.status?.outputs[e.name],n=typeof t==`number`?t:null;return u`
+      <span>${e.name} <small class="muted">${e.role}</small></span>
+      <input type="range" min=${e.low??0} max=${e.high??100} step="1" aria-label=${e.name} ?disabled=${!this.usable}
+        .value=${String(n??0)}
+        @change=${t=>o(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:Number(t.target.value)}))} />
+      <output>${c(n)} ${e.unit}</output><span></span>
+    `}};customElements.define(`pt-pins`,L);var R=class extends f{static styles=[i,n`
+      :host {
+        display: grid;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        gap: var(--gap);
+        align-items: start;
+      }
+      .wide {
+        grid-column: 1 / -1;
+      }
+      @media (max-width: 900px) {
+        :host {
+          grid-template-columns: minmax(0, 1fr);
+        }
+      }
+    `];render(){let t=this.device.kind===`virtual`;return u`
+      ${t?u`<pt-machine class="wide" ${this.given()}></pt-machine>`:e}
+      <pt-pins class=${t?``:`wide`} ${this.given()}></pt-pins>
+      ${t?u`<pt-faults ${this.given()}></pt-faults>`:e}
+    `}};customElements.define(`pt-io`,R);

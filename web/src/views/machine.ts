@@ -1,0 +1,443 @@
+// The machine behind a virtual controller, drawn to scale: a stage on its rail, or a shaft that goes round, with its
+// switches. A switch that is dragged to the carriage is pressed, as by hand, and springs back when it is let go.
+
+import { css, html, nothing, svg } from "lit";
+import { reason } from "../api/client.ts";
+import type { Machine, MachineAxis } from "../api/contract.ts";
+import { count, parseWhole } from "../state/format.ts";
+import { Press } from "../state/press.ts";
+import { base } from "../ui/styles.ts";
+import { attempt, say } from "../ui/toast.ts";
+import { type Lane, type SwitchRole, arc, around, covers, lane } from "./machine-geometry.ts";
+import { Tab } from "./tab.ts";
+
+const ASK_MS = 80;
+/** The part of the way to where the shaft is that the drawing goes in a frame: it hides that it is asked in steps. */
+const EASE = 0.35;
+const HEIGHT = 88;
+const RAIL = 38;
+const ROUND = 172;
+const RADIUS = 48;
+/** Index marks nearer to each other than this, in pixels, are not drawn. */
+const MARK_GAP = 5;
+const MAX_LOAD = 1.5;
+
+const ROLES: SwitchRole[] = ["negative limit", "home", "positive limit"];
+const LABELS: Record<SwitchRole, string> = { "negative limit": "−L", home: "H", "positive limit": "+L" };
+
+interface Drag {
+  axis: string;
+  role: SwitchRole;
+  /** Where the pointer holds the switch, in pulses. */
+  at: number;
+  press: Press;
+}
+
+class MachineView extends Tab {
+  static override properties = {
+    ...Tab.properties,
+    machine: { state: true },
+    width: { state: true },
+    drag: { state: true },
+    problem: { state: true },
+  };
+  declare machine: Machine | null;
+  declare width: number;
+  declare drag: Drag | null;
+  declare problem: string | null;
+  protected override readonly watches = ["status"] as const;
+
+  #timer = 0;
+  #frame = 0;
+  readonly #drawn = new Map<string, number>();
+  readonly #size = new ResizeObserver(([entry]) => {
+    if (entry && entry.contentRect.width > 0) this.width = entry.contentRect.width;
+  });
+
+  static override styles = [
+    base,
+    css`
+      .axis + .axis {
+        margin-top: 10px;
+        padding-top: 10px;
+        border-top: 1px solid var(--line);
+      }
+      .head {
+        font-size: 13px;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        font-size: 11px;
+        font-variant-numeric: tabular-nums;
+        touch-action: pan-y;
+      }
+      text {
+        fill: var(--muted);
+      }
+      .rail {
+        stroke: var(--strong-line);
+        stroke-width: 4;
+        stroke-linecap: round;
+        fill: none;
+      }
+      .mark {
+        stroke: var(--line);
+        stroke-width: 1.5;
+      }
+      .home {
+        fill: var(--ok);
+        opacity: 0.75;
+      }
+      .home-arc {
+        stroke: var(--ok);
+        stroke-width: 6;
+        fill: none;
+      }
+      .carriage {
+        fill: var(--accent);
+      }
+      .slack {
+        fill: var(--accent);
+        opacity: 0.25;
+      }
+      .hand {
+        stroke: var(--accent);
+        stroke-width: 4;
+        stroke-linecap: round;
+      }
+      .switch {
+        cursor: grab;
+        touch-action: none;
+        outline: none;
+      }
+      .switch .body {
+        fill: var(--panel);
+        stroke: var(--strong-line);
+        stroke-width: 2;
+      }
+      .switch text {
+        fill: var(--text);
+        font-weight: 650;
+        text-anchor: middle;
+      }
+      .switch.on .body {
+        fill: var(--ok);
+        stroke: var(--ok);
+      }
+      .switch.on.limit .body {
+        fill: var(--error);
+        stroke: var(--error);
+      }
+      .switch.on text {
+        fill: var(--panel);
+      }
+      .switch:focus-visible .body {
+        stroke: var(--accent);
+        stroke-width: 3;
+      }
+      .tools {
+        display: grid;
+        grid-template-columns: minmax(180px, 1fr) auto;
+        gap: 6px 18px;
+        align-items: center;
+      }
+      .load {
+        display: grid;
+        grid-template-columns: auto 1fr 4em;
+        gap: 8px;
+        align-items: center;
+        font-size: 13px;
+      }
+      .load output {
+        text-align: right;
+      }
+      .hand-tools input {
+        width: 90px;
+      }
+      @media (max-width: 600px) {
+        .tools {
+          grid-template-columns: 1fr;
+        }
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.machine = null;
+    this.width = 600;
+    this.drag = null;
+    this.problem = null;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    void this.#ask();
+    this.#animate();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    clearTimeout(this.#timer);
+    cancelAnimationFrame(this.#frame);
+    this.#size.disconnect();
+    this.#drop();
+  }
+
+  override firstUpdated(): void {
+    this.#size.observe(this);
+  }
+
+  async #ask(): Promise<void> {
+    if (this.active && !document.hidden) {
+      try {
+        this.machine = await this.api.machine(this.device.name);
+        this.problem = null;
+        this.#follow();
+      } catch (error) {
+        this.problem = reason(error);
+      }
+    }
+    if (this.isConnected) this.#timer = window.setTimeout(() => void this.#ask(), this.problem ? 1000 : ASK_MS);
+  }
+
+  /** Presses or lets go the switch that is held, as the carriage comes and goes. */
+  #follow(): void {
+    const { drag } = this;
+    const axis = drag && this.machine?.axes[drag.axis];
+    if (drag && axis) drag.press.set(covers(axis, drag.role, drag.at));
+  }
+
+  /** Moves the carriages of the drawing after the shafts. */
+  #animate(): void {
+    this.#frame = requestAnimationFrame(() => {
+      this.#animate();
+      if (!this.active || !this.machine) return;
+      for (const [name, axis] of Object.entries(this.machine.axes)) {
+        const before = this.#drawn.get(name) ?? axis.shaft;
+        const rest = axis.shaft - before;
+        const now = Math.abs(rest) < 0.5 ? axis.shaft : before + rest * EASE;
+        this.#drawn.set(name, now);
+        const group = this.renderRoot.querySelector(`[data-shaft="${name}"]`);
+        group?.setAttribute("transform", this.#placeOf(axis, now));
+      }
+    });
+  }
+
+  #placeOf(axis: MachineAxis, shaft: number): string {
+    if (axis.circumference !== null) return `rotate(${(around(axis, shaft) * 360).toFixed(2)})`;
+    return `translate(${lane(axis, this.width).x(shaft).toFixed(2)} 0)`;
+  }
+
+  override render() {
+    if (!this.machine) {
+      return html`<section class="panel"><h2>Machine</h2>
+        <p class=${this.problem ? "error-text" : "muted"}>${this.problem ?? "Loading…"}</p></section>`;
+    }
+    return html`
+      <section class="panel stack" aria-label="Machine">
+        <div class="row"><h2>Machine</h2>
+          <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
+        <div>
+          ${Object.entries(this.machine.axes).map(([name, axis]) => html`
+            <div class="axis">
+              <div class="row head"><strong>${name}</strong>
+                <span class="muted">shaft ${count(axis.shaft)} · counter ${count(this.live.status?.axes[name]?.position)}
+                  ${axis.backlash ? `· backlash ${count(axis.backlash)}` : nothing}</span>
+              </div>
+              ${axis.circumference === null ? this.#stage(name, axis) : this.#shaft(name, axis)}
+              ${this.#tools(name, axis)}
+            </div>`)}
+        </div>
+      </section>
+    `;
+  }
+
+  #stage(name: string, axis: MachineAxis) {
+    const scale = lane(axis, this.width);
+    const slack = axis.backlash * scale.perPulse;
+    return html`
+      <svg viewBox="0 0 ${this.width} ${HEIGHT}" height=${HEIGHT} role="group"
+        aria-label="Stage of axis ${name}, from ${axis.negative_limit ?? "no limit"} to ${axis.positive_limit ?? "no limit"}">
+        <line class="rail" x1=${scale.margin} x2=${this.width - scale.margin} y1=${RAIL} y2=${RAIL} />
+        ${this.#marks(axis, scale)}
+        ${axis.home
+          ? svg`<rect class="home" x=${scale.x(axis.home[0])} y=${RAIL - 3} height="6" rx="1"
+              width=${Math.max(3, scale.x(axis.home[1]) - scale.x(axis.home[0]))} />`
+          : nothing}
+        <g data-shaft=${name} transform=${this.#placeOf(axis, this.#drawn.get(name) ?? axis.shaft)}>
+          ${slack >= 1 ? svg`<rect class="slack" x=${-14 - slack / 2} y=${RAIL - 30} width=${28 + slack} height="24" rx="4" />` : nothing}
+          <rect class="carriage" x="-14" y=${RAIL - 30} width="28" height="24" rx="4" />
+          <path class="carriage" d="M -5 ${RAIL - 7} L 5 ${RAIL - 7} L 0 ${RAIL - 1} Z" />
+        </g>
+        ${ROLES.map((role) => this.#switch(name, axis, role, scale))}
+      </svg>
+    `;
+  }
+
+  #marks(axis: MachineAxis, scale: Lane) {
+    const every = axis.index_every;
+    if (!every || every * scale.perPulse < MARK_GAP) {
+      return every
+        ? svg`<text x=${this.width / 2} y=${HEIGHT - 14} text-anchor="middle">an index mark every ${count(every)}</text>`
+        : nothing;
+    }
+    const first = Math.ceil(scale.low / every);
+    const marks = Math.floor(scale.high / every) - first + 1;
+    return Array.from({ length: marks }, (_, n) => {
+      const x = scale.x((first + n) * every);
+      return svg`<line class="mark" x1=${x} x2=${x} y1=${RAIL + 4} y2=${RAIL + 10} />`;
+    });
+  }
+
+  #shaft(name: string, axis: MachineAxis) {
+    const { width } = this;
+    const every = axis.index_every ?? 0;
+    const marks = every > 0 ? Math.min(360, Math.floor(axis.circumference! / every)) : 0;
+    return html`
+      <svg viewBox="${-width / 2} ${-ROUND / 2} ${width} ${ROUND}" height=${ROUND} role="group"
+        aria-label="Shaft of axis ${name}, ${axis.circumference} to the turn">
+        <circle class="rail" r=${RADIUS} />
+        ${Array.from({ length: marks }, (_, n) =>
+          svg`<line class="mark" transform="rotate(${around(axis, n * every) * 360})" y1=${-RADIUS + 5} y2=${-RADIUS + 11} />`)}
+        ${axis.home ? svg`<path class="home-arc" d=${arc(axis, axis.home, RADIUS)} />` : nothing}
+        <g data-shaft=${name} transform=${this.#placeOf(axis, this.#drawn.get(name) ?? axis.shaft)}>
+          <line class="hand" y1="8" y2=${-RADIUS + 7} /><circle class="carriage" r="7" />
+        </g>
+        ${ROLES.map((role) => this.#roundSwitch(name, axis, role))}
+        <text x=${RADIUS + 44} y="4">${count(axis.circumference)} a turn</text>
+      </svg>
+    `;
+  }
+
+  /** A switch at its place, or where it is dragged to. */
+  #switch(name: string, axis: MachineAxis, role: SwitchRole, scale: Lane) {
+    const home = role === "home";
+    const own = home ? axis.home && (axis.home[0] + axis.home[1]) / 2 : role === "positive limit" ? axis.positive_limit : axis.negative_limit;
+    if (own === null || !this.#pin(name, role)) return nothing;
+    const x = scale.x(this.#dragged(name, role) ?? own);
+    return this.#body(name, role, `translate(${x} ${RAIL + 24})`, (event) => scale.pulse(this.#pointerX(event)), svg`
+      <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
+      <text y="4">${LABELS[role]}</text>`, svg`<text y="24">${count(own)}</text>`);
+  }
+
+  #roundSwitch(name: string, axis: MachineAxis, role: SwitchRole) {
+    const own = role === "home" ? axis.home && (axis.home[0] + axis.home[1]) / 2 : role === "positive limit" ? axis.positive_limit : axis.negative_limit;
+    if (own === null || !this.#pin(name, role)) return nothing;
+    const turn = around(axis, this.#dragged(name, role) ?? own) * 2 * Math.PI;
+    const place = `translate(${Math.sin(turn) * (RADIUS + 18)} ${-Math.cos(turn) * (RADIUS + 18)})`;
+    const toPulse = (event: PointerEvent) => {
+      const box = (event.currentTarget as SVGElement).ownerSVGElement!.getBoundingClientRect();
+      const angle = Math.atan2(event.clientX - box.x - box.width / 2, -(event.clientY - box.y - box.height / 2));
+      return (angle / (2 * Math.PI)) * axis.circumference!;
+    };
+    return this.#body(name, role, place, toPulse, svg`<circle class="body" r="12" /><text y="4">${LABELS[role]}</text>`, nothing);
+  }
+
+  #body(name: string, role: SwitchRole, place: string, toPulse: (event: PointerEvent) => number, body: unknown, label: unknown) {
+    const on = this.#isOn(name, role);
+    const hold = (event: KeyboardEvent) => {
+      if (event.key !== " " && event.key !== "Enter") return;
+      event.preventDefault();
+      if (event.repeat) return;
+      if (event.type === "keydown") this.#pressKey(name, role);
+      else this.#drop();
+    };
+    return svg`
+      <g class="switch ${on ? "on" : ""} ${role === "home" ? "" : "limit"}" transform=${place} tabindex="0" role="button"
+        aria-label="${role} switch of ${name}, ${on ? "on" : "off"}" aria-pressed=${on ? "true" : "false"}
+        @pointerdown=${(event: PointerEvent) => this.#grab(event, name, role, toPulse(event))}
+        @pointermove=${(event: PointerEvent) => this.#move(name, role, () => toPulse(event))}
+        @pointerup=${() => this.#drop()} @pointercancel=${() => this.#drop()} @lostpointercapture=${() => this.#drop()}
+        @keydown=${hold} @keyup=${hold} @blur=${() => this.#drop()}>
+        ${body} ${label}
+      </g>
+    `;
+  }
+
+  #pointerX(event: PointerEvent): number {
+    return event.clientX - (event.currentTarget as SVGElement).ownerSVGElement!.getBoundingClientRect().x;
+  }
+
+  #dragged(name: string, role: SwitchRole): number | null {
+    const { drag } = this;
+    return drag?.axis === name && drag.role === role ? drag.at : null;
+  }
+
+  #pin(axis: string, role: SwitchRole): string | null {
+    return this.catalog.pins.find((pin) => pin.axis === axis && pin.role === role)?.name ?? null;
+  }
+
+  #isOn(name: string, role: SwitchRole): boolean {
+    const status = this.live.status?.axes[name];
+    const on = { "negative limit": status?.negative_limit, "positive limit": status?.positive_limit, home: status?.home }[role];
+    return on ?? false;
+  }
+
+  #grab(event: PointerEvent, axis: string, role: SwitchRole, at: number): void {
+    const pin = this.#pin(axis, role);
+    if (event.button !== 0 || !pin || !this.usable) return;
+    (event.currentTarget as Element).setPointerCapture(event.pointerId);
+    this.drag = { axis, role, at, press: new Press(this.api, this.device.name, pin) };
+    this.#follow();
+  }
+
+  #move(axis: string, role: SwitchRole, at: () => number): void {
+    if (this.#dragged(axis, role) === null) return;
+    this.drag = { ...this.drag!, at: at() };
+    this.#follow();
+  }
+
+  #pressKey(axis: string, role: SwitchRole): void {
+    const pin = this.#pin(axis, role);
+    const shaft = this.machine?.axes[axis]?.shaft;
+    if (!pin || shaft === undefined || !this.usable) return;
+    this.drag = { axis, role, at: shaft, press: new Press(this.api, this.device.name, pin) };
+    this.#follow();
+  }
+
+  #drop(): void {
+    this.drag?.press.set(false);
+    this.drag = null;
+  }
+
+  #tools(name: string, axis: MachineAxis) {
+    return html`
+      <div class="tools">
+        <div class="load">
+          <label for="load-${name}">Load</label>
+          <input id="load-${name}" type="range" min="0" max=${MAX_LOAD} step="0.01" .value=${String(axis.load)} ?disabled=${!this.usable}
+            title="Part of the motor's pull-out torque; above 1 it stalls"
+            @change=${(event: Event) => this.#setLoad(name, Number((event.target as HTMLInputElement).value))} />
+          <output class=${axis.load > 1 ? "error-text" : ""}>${Math.round(axis.load * 100)} %</output>
+        </div>
+        <form class="row hand-tools" @submit=${(event: SubmitEvent) => this.#byHand(event, name)}>
+          <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${name}" />
+          <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
+          <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
+        </form>
+      </div>
+    `;
+  }
+
+  #setLoad(axis: string, load: number): void {
+    void attempt(() => this.api.setLoad(this.device.name, axis, load));
+  }
+
+  #byHand(event: SubmitEvent, axis: string): void {
+    event.preventDefault();
+    const pulses = parseWhole(String(new FormData(event.target as HTMLFormElement).get("pulses")));
+    const lose = (event.submitter as HTMLButtonElement | null)?.value === "lose";
+    if (pulses === null || (lose && pulses < 1)) {
+      say(lose ? "So many pulses cannot be lost." : "Pulses are a whole number.", "error");
+      return;
+    }
+    const { name } = this.device;
+    void attempt(
+      () => (lose ? this.api.lose(name, axis, pulses) : this.api.push(name, axis, pulses)),
+      lose ? `The next ${pulses} pulses of ${axis} are lost` : `${axis} pushed by ${pulses}`,
+    );
+  }
+}
+customElements.define("pt-machine", MachineView);
