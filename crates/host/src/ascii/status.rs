@@ -1,0 +1,177 @@
+//! What the controller says of itself, question by question.
+
+use super::terminal::{is_loop_error, loop_state};
+use super::{Unit, malformed};
+use crate::bits::{errors, flags};
+use crate::error::Result;
+use crate::types::{AxisStatus, Level, ProgramState, ProgramStatus, Status};
+use std::{collections::BTreeMap, str::FromStr};
+
+/// Bits of the status word that both families have in the same place (PMX-2ED-SA manual, table 7.2; CMD-4CR manual,
+/// table 2-28).
+mod bit {
+    pub const ACCELERATING: u32 = 0;
+    pub const DECELERATING: u32 = 1;
+    pub const CONSTANT_SPEED: u32 = 2;
+    pub const POSITIVE_LIMIT: u32 = 4;
+    pub const NEGATIVE_LIMIT: u32 = 5;
+    pub const HOME: u32 = 6;
+    pub const PERFORMAX_INDEX: u32 = 9;
+    pub const COMMANDER_INDEX: u32 = 13;
+}
+
+/// Digital inputs and outputs as a name and bits.
+type Levels = BTreeMap<String, Level>;
+
+impl Unit {
+    /// Asks for everything there is to see.
+    pub async fn status(&self, seconds: f64) -> Result<Status> {
+        let dialect = self.dialect;
+        let words = self.each("MST", !self.is_commander()).await?;
+        let positions = self.counters("P").await?;
+        let encoders = self.counters("E").await?;
+        let speeds = self.each("PS", !self.is_commander()).await?;
+        let enables: u32 = self.bits_of("EO").await?;
+        let mut status =
+            Status { seconds, absolute: Some(self.ask::<i32>("MM").await? == 0), ..Status::default() };
+        for (number, name) in self.model.axes().iter().enumerate() {
+            let loop_number = self.ask::<i32>(&format!("SLS{name}")).await?;
+            let loop_state = loop_state(loop_number);
+            let delta = match loop_state {
+                Some(_) => Some(self.ask(&format!("D{name}")).await?),
+                None => None,
+            };
+            let axis = AxisStatus {
+                position: positions[number],
+                encoder: Some(encoders[number]),
+                speed: speeds[number],
+                target: self.targets()[number],
+                delta,
+                enabled: Some(enables >> number & 1 != 0),
+                loop_state: loop_state.map(str::to_owned),
+                ..self.axis_status(words[number] as u32)
+            };
+            let failed =
+                loop_state.filter(|_| is_loop_error(loop_number)).map(|state| format!("StepNLoop: {state}"));
+            let error = match (axis.error.clone(), failed) {
+                (Some(error), Some(failed)) => Some(format!("{error}, {failed}")),
+                (error, failed) => error.or(failed),
+            };
+            status.alarms.extend(error.iter().map(|error| format!("{name}: {error}")));
+            status.axes.insert((*name).into(), AxisStatus { error, ..axis });
+        }
+        put(&mut status.inputs, "DI", self.bits_of("DI").await?, dialect.inputs, u32::MAX);
+        put(&mut status.outputs, "DO", self.bits_of("DO").await?, dialect.outputs, u32::MAX);
+        put(&mut status.outputs, "EO", enables, dialect.axis_count(), u32::MAX);
+        if dialect.ports > 0 {
+            let (levels, driven) = (self.bits_of("IO").await?, self.bits_of("IOCFG").await?);
+            put(&mut status.inputs, "IO", levels, dialect.ports, !driven);
+            put(&mut status.outputs, "IO", levels, dialect.ports, driven);
+        }
+        for number in 1..=dialect.analog_inputs {
+            let name = format!("AI{number}");
+            let level = self.ask::<i32>(&name).await?;
+            status.inputs.insert(name, Level::Analog(level.into()));
+        }
+        for number in 1..=dialect.pwm_outputs {
+            let name = format!("PWM{number}");
+            let level = self.ask::<i32>(&name).await?;
+            status.outputs.insert(name, Level::Analog(level.into()));
+        }
+        for number in 0..dialect.threads {
+            status.programs.push(self.program_status(number).await?);
+        }
+        for (number, program) in status.programs.iter().enumerate() {
+            if program.state == ProgramState::Error {
+                status.alarms.push(format!("program {number}: error at line {}", program.counter));
+            }
+        }
+        Ok(status)
+    }
+
+    /// What a status word says.
+    fn axis_status(&self, word: u32) -> AxisStatus {
+        let on = |bit: u32| word >> bit & 1 != 0;
+        let index = if self.is_commander() { bit::COMMANDER_INDEX } else { bit::PERFORMAX_INDEX };
+        let state = match () {
+            () if on(bit::ACCELERATING) => "accelerating",
+            () if on(bit::DECELERATING) => "decelerating",
+            () if on(bit::CONSTANT_SPEED) => "constant speed",
+            () => "idle",
+        };
+        AxisStatus {
+            status: word,
+            flags: flags(&self.bits, word),
+            state: state.into(),
+            negative_limit: Some(on(bit::NEGATIVE_LIMIT)),
+            positive_limit: Some(on(bit::POSITIVE_LIMIT)),
+            home: Some(on(bit::HOME)),
+            index: Some(on(index)),
+            error: errors(&self.bits, word),
+            ..AxisStatus::default()
+        }
+    }
+
+    async fn program_status(&self, number: u8) -> Result<ProgramStatus> {
+        let line = format!("SASTAT{number}");
+        let state = match self.ask(&line).await? {
+            0 => ProgramState::Idle,
+            1 => ProgramState::Running,
+            2 => ProgramState::Paused,
+            4 => ProgramState::Error,
+            other => return Err(malformed(&line, &i32::to_string(&other))),
+        };
+        Ok(ProgramStatus { state, counter: self.ask(&format!("SPC{number}")).await? })
+    }
+
+    /// A counter of every axis. A Commander gives them all at once (CMD-4CR manual, 2.6.1).
+    async fn counters(&self, name: &str) -> Result<Vec<i32>> {
+        if self.is_commander() {
+            self.each(&format!("{name}P"), true).await
+        } else {
+            self.each(name, false).await
+        }
+    }
+
+    /// A number of every axis, from one reply `x:y...` or from one for each.
+    async fn each(&self, name: &str, together: bool) -> Result<Vec<i32>> {
+        let axes = self.model.axes();
+        if together {
+            let List(mut numbers) = self.ask(name).await?;
+            // Behind the status words of a Performax comes more.
+            if numbers.len() < axes.len() {
+                return Err(malformed(name, "a shorter list"));
+            }
+            numbers.truncate(axes.len());
+            return Ok(numbers);
+        }
+        let mut numbers = Vec::new();
+        for axis in axes {
+            numbers.push(self.ask(&format!("{name}{axis}")).await?);
+        }
+        Ok(numbers)
+    }
+
+    /// A number whose bits count.
+    async fn bits_of(&self, name: &str) -> Result<u32> {
+        Ok(self.ask::<i32>(name).await? as u32)
+    }
+}
+
+/// Numbers with `:` between.
+struct List(Vec<i32>);
+
+impl FromStr for List {
+    type Err = std::num::ParseIntError;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        text.split(':').map(str::parse).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+/// Adds the bits that are chosen as `name1` and so on.
+fn put(levels: &mut Levels, name: &str, bits: u32, count: u8, chosen: u32) {
+    for bit in (0..count).filter(|bit| chosen >> bit & 1 != 0) {
+        levels.insert(format!("{name}{}", bit + 1), Level::Digital(bits >> bit & 1 != 0));
+    }
+}

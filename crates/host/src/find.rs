@@ -1,0 +1,50 @@
+//! Who is there on a wire.
+
+use crate::ascii;
+use crate::bus::Bus;
+use crate::error::{Error, Result};
+use crate::tmcl;
+use crate::types::Found;
+use crate::wire::WireError;
+use std::time::Duration;
+
+/// How long an address gets to answer: a request and a reply at 9600 baud and a converter's delay. Longer than TMCL modules
+/// wait for the rest of a frame, so that a line of text never becomes part of one.
+const PATIENCE: Duration = Duration::from_millis(100);
+
+/// The highest address of a controller that is told lines of text (PMX-2ED-SA manual, 6.3; CMD-4CR manual, 3.3).
+const MAX_ASCII_ADDRESS: u8 = 99;
+
+/// Looks for controllers on a wire. Who answers without an address, or to any, is alone there. Otherwise every address
+/// is asked, first as text, then as TMCL; that takes half a minute over a line on which nobody answers.
+///
+/// # Errors
+/// The wire is broken. That nobody answers is no error.
+pub async fn find(bus: &Bus) -> Result<Vec<Found>> {
+    if let Some(found) = heard(ascii::identify(bus, None, PATIENCE).await)? {
+        return Ok(vec![found]);
+    }
+    let mut all = Vec::new();
+    for address in 0..=MAX_ASCII_ADDRESS {
+        all.extend(heard(ascii::identify(bus, Some(address), PATIENCE).await)?);
+    }
+    for address in 1..=u8::MAX {
+        let Some(found) = heard(tmcl::identify(bus, address, PATIENCE).await)? else { continue };
+        // Over USB a module does not look at addresses, and says its own.
+        let is_alone = found.address != address;
+        all.push(found);
+        if is_alone {
+            break;
+        }
+    }
+    Ok(all)
+}
+
+/// Who answered, if somebody did. What makes no sense is no controller of ours.
+fn heard(answer: Result<Found>) -> Result<Option<Found>> {
+    match answer {
+        Ok(found) => Ok(Some(found)),
+        Err(Error::Wire(WireError::Timeout(_)) | Error::Malformed { .. } | Error::Refused { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
+}
