@@ -35,6 +35,8 @@ pub enum Command {
     Debug(DebugArgs),
     /// The same for editors, which speak the Debug Adapter Protocol over standard input and output
     Dap,
+    /// Tell editors about programs while they are typed: the Language Server Protocol over standard input and output
+    Lsp(LspArgs),
     /// Assemble a TMCL program
     Asm(AsmArgs),
     /// Print a TMCL program as assembly language
@@ -177,6 +179,15 @@ pub struct PlotArgs {
     /// The picture (.svg or .png), one for each device of a tape; without it FILE with the extension .svg
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+}
+
+/// Arguments of `lsp`.
+#[derive(Group)]
+pub struct LspArgs {
+    /// The model that A-SCRIPT programs are for, if the editor's settings say nothing [default: that for which they
+    /// are right]
+    #[arg(long, value_parser = model)]
+    pub device: Option<&'static Model>,
 }
 
 /// Arguments of `asm`.

@@ -7,6 +7,7 @@ mod args;
 mod bench;
 mod dap;
 mod debug;
+mod lsp;
 mod plot;
 mod programs;
 mod replay;
@@ -61,6 +62,7 @@ fn execute(command: Command) -> Outcome {
         Command::Plot(args) => plot::plot(&args),
         Command::Debug(args) => debug::debug(args),
         Command::Dap => dap::dap(),
+        Command::Lsp(args) => lsp::lsp(&args),
         Command::Asm(args) => programs::asm(&args),
         Command::Disasm(args) => programs::disasm(&args),
         Command::Compile(args) => programs::compile_file(&args),

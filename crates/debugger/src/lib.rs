@@ -9,6 +9,7 @@
 //! - [`engine`] runs, steps and goes back; [`stop`] says where it stops and why.
 //! - [`told`] is what can be done to a device on the way: registers set, pins driven, commands sent.
 //! - [`console`] is the debugger that is typed at, [`dap`] the one that editors speak to, both on top of it.
+//! - [`wire`] has the messages between an editor and a program that it started.
 
 pub mod code;
 pub mod console;
@@ -17,6 +18,7 @@ pub mod engine;
 pub mod stop;
 pub mod timeline;
 pub mod told;
+pub mod wire;
 
 pub use code::Code;
 pub use engine::{Debugger, Direction, Goal};

@@ -6,28 +6,36 @@ use source::{Source, Span};
 /// A token.
 #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
 #[logos(skip r"[ \t\u{C}\u{A0}\u{FEFF}]+")]
-pub(super) enum Token {
+pub enum Token {
+    /// The end of a line.
     #[regex(r"\r\n|\n|\r")]
     LineEnd,
+    /// From the semicolon to the end of the line.
     #[regex(r";[^\r\n]*", allow_greedy = true)]
     Comment,
     /// Letters; a number behind them is a token of its own.
     #[regex(r"[\p{L}_]+")]
     Word,
+    /// Digits.
     #[regex(r"[0-9]+")]
     Number,
+    /// `=`.
     #[token("=")]
     Equals,
+    /// A comparison, but `=`.
     #[token("!=")]
     #[token(">")]
     #[token("<")]
     #[token(">=")]
     #[token("<=")]
     Comparison,
+    /// `+`.
     #[token("+")]
     Plus,
+    /// `-`.
     #[token("-")]
     Minus,
+    /// An operator between two values, but `+` and `-`.
     #[token("*")]
     #[token("/")]
     #[token("%")]
@@ -36,8 +44,10 @@ pub(super) enum Token {
     #[token("&")]
     #[token("|")]
     Operator,
+    /// `~`.
     #[token("~")]
     Tilde,
+    /// `:`.
     #[token(":")]
     Colon,
     /// A character that means nothing.
@@ -46,15 +56,15 @@ pub(super) enum Token {
 
 /// A line of a source.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Tokens {
+pub struct Tokens {
     /// What is to be compiled.
-    pub(super) tokens: Vec<(Token, Span)>,
+    pub tokens: Vec<(Token, Span)>,
     /// The comment behind it.
-    pub(super) comment: Option<Span>,
+    pub comment: Option<Span>,
 }
 
 /// The tokens of each line.
-pub(super) fn lines(source: &Source) -> Vec<Tokens> {
+pub fn lines(source: &Source) -> Vec<Tokens> {
     let mut lines = Vec::with_capacity(source.line_count());
     let mut line = Tokens::default();
     for (token, span) in Token::lexer(&source.text).spanned() {

@@ -11,7 +11,10 @@ pub mod syntax;
 mod words;
 
 pub use diagnostic::{Diagnostic, ErrorKind, Severity};
+pub use lexer::{Token, Tokens, lines as tokens};
+pub use parser::SourceLine;
 pub use source::MAX_SOURCE_BYTES;
+pub use words::spellings;
 
 pub(crate) use diagnostic::Finding;
 pub(crate) use parser::parse;
@@ -75,6 +78,11 @@ pub fn compile(name: &str, source: &[u8], dialect: &Dialect) -> Compilation {
     findings.extend(more);
     let correct = findings.iter().all(|finding| finding.severity == Severity::Warning);
     Compilation { code: correct.then_some(code), diagnostics: diagnostics(&source, findings) }
+}
+
+/// What each line of a source says, for editors.
+pub fn statements(source: &Source, dialect: &Dialect) -> Vec<SourceLine> {
+    parse(source, dialect).0
 }
 
 /// A byte order mark, which some editors put before UTF-8.

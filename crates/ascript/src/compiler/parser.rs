@@ -11,16 +11,16 @@ use source::{Source, Span};
 
 /// A line of a source.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct SourceLine {
+pub struct SourceLine {
     /// What it says; `None` if that is nothing, or wrong.
-    pub(crate) statement: Option<Statement>,
+    pub statement: Option<Statement>,
     /// Whether it is wrong. A wrong line that begins a block has a statement that begins such a block, so
     /// that its end is not wrong too.
-    pub(crate) wrong: bool,
+    pub wrong: bool,
     /// Where the statement stands.
-    pub(crate) span: Span,
+    pub span: Span,
     /// The comment behind it, with its `;`.
-    pub(crate) comment: Option<Span>,
+    pub comment: Option<Span>,
 }
 
 /// What a line of tokens gives.

@@ -61,22 +61,24 @@ fn is_word(letters: &str, numbered: bool, dialect: &Dialect) -> bool {
 
 /// Every word of a dialect with each of its axes; the numbers behind it are left out.
 fn names(dialect: &Dialect) -> impl Iterator<Item = String> {
-    let axes = dialect.axes;
-    let spelled = |entry: &'static Entry| -> Vec<String> {
-        let name = entry.name;
-        match entry.suffix {
-            Suffix::Axis | Suffix::Direction | Suffix::Home => {
-                axes.chars().map(|axis| format!("{name}{axis}")).collect()
-            }
-            Suffix::Plane(_) => {
-                let pairs = axes.chars().flat_map(|first| axes.chars().map(move |second| (first, second)));
-                let planes = pairs.filter(|(first, second)| first != second);
-                planes.map(|(first, second)| format!("{name}{first}{second}P")).collect()
-            }
-            Suffix::Helix(_) => ["P", "N"].map(|turn| format!("{name}{turn}")).into(),
-            _ => vec![name.to_owned()],
-        }
-    };
     let real = |entry: &&Entry| !matches!(entry.kind, Kind::Comment) && !entry.name.is_empty();
-    words(dialect.family).filter(real).flat_map(spelled)
+    words(dialect.family).filter(real).flat_map(|entry| spellings(entry, dialect))
+}
+
+/// A word with each of its axes: `HSPDX`, `CIRXYP`. A direction or a number behind it is left out.
+pub fn spellings(entry: &Entry, dialect: &Dialect) -> Vec<String> {
+    let (name, axes) = (entry.name, dialect.axes);
+    match entry.suffix {
+        Suffix::Axis | Suffix::Direction | Suffix::Home => {
+            axes.chars().map(|axis| format!("{name}{axis}")).collect()
+        }
+        Suffix::Plane(_) => {
+            let pairs = axes.chars().flat_map(|first| axes.chars().map(move |second| (first, second)));
+            let planes = pairs.filter(|(first, second)| first != second);
+            let turned = |(first, second)| ["P", "N"].map(|turn| format!("{name}{first}{second}{turn}"));
+            planes.flat_map(turned).collect()
+        }
+        Suffix::Helix(_) => ["P", "N"].map(|turn| format!("{name}{turn}")).into(),
+        _ => vec![name.to_owned()],
+    }
 }

@@ -1,8 +1,8 @@
 //! Program files of all languages: `pulsetrain check` and `fmt`, and what `run` loads.
 
 mod ascript;
-mod module;
 mod tmcl;
+mod world;
 
 pub use ascript::{compile_file, decompile_file};
 pub use tmcl::{asm, disasm};

@@ -1,6 +1,6 @@
 //! TMCL programs: `pulsetrain asm` and `disasm`, and what `check`, `run` and `fmt` do with them.
 
-use super::{Loaded, about, module::Module, read, say, show, write};
+use super::{Loaded, about, read, say, show, world::World, write};
 use crate::{
     FAILED, Failure, Outcome,
     args::{AsmArgs, DisasmArgs},
@@ -38,7 +38,7 @@ pub fn check_source(path: &Path) -> Outcome {
 
 /// Looks for commands that a module will refuse.
 pub fn check_code(path: &Path) -> Outcome {
-    let module = Module::new();
+    let module = World::default();
     for (address, command) in commands(path)?.into_iter().enumerate() {
         if let Some(problem) = module.check(command) {
             let text = disasm::command(command);
@@ -66,7 +66,7 @@ pub fn load_code(path: &Path) -> Result<Loaded, Failure> {
 
 /// A source for the debugger, and what there is to say about it.
 pub fn translate(name: &str, source: &[u8]) -> Result<(Option<Code>, String), Failure> {
-    let assembly = assemble(name, source, &Module::new());
+    let assembly = assemble(name, source, &World::default());
     let said = assembly.render(false);
     Ok((Code::tmcl(assembly), said))
 }
@@ -78,7 +78,7 @@ pub fn translate_code(path: &Path) -> Result<(Option<Code>, String), Failure> {
 
 /// Assembles a file and shows what there is to say about it.
 fn assembled(path: &Path) -> Result<Assembly, Failure> {
-    let assembly = assemble(&path.display().to_string(), &read(path)?, &Module::new());
+    let assembly = assemble(&path.display().to_string(), &read(path)?, &World::default());
     say(|color| assembly.render(color));
     Ok(assembly)
 }

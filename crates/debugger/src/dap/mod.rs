@@ -8,12 +8,13 @@ mod capabilities;
 mod messages;
 mod session;
 mod variables;
-mod wire;
 
 pub use messages::Launch;
-pub use wire::{MAX_MESSAGE_BYTES, WireError};
 
-use crate::Debugger;
+use crate::{
+    Debugger,
+    wire::{self, WireError},
+};
 use messages::Request;
 use session::Session;
 use std::{

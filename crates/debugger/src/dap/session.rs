@@ -6,13 +6,13 @@ use super::{
         Breakpoints, Event, Expression, Launch, OfSource, OfThread, OfVariables, Request, Response, Wanted,
     },
     variables::{scopes, variables},
-    wire::{self, WireError},
 };
 use crate::{
     Debugger, Direction, Goal, Stop,
     code::Place,
     console::Console,
     stop::{Condition, show},
+    wire::{self, WireError},
 };
 use devices::ProgramRun;
 use serde::de::DeserializeOwned;

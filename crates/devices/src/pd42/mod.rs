@@ -7,6 +7,7 @@
 //! - `encoders`: both encoders and the deviation stops.
 //! - `commands`, `control`: what each command does; `parameters`: reading and writing parameters.
 //! - `wire`: bytes in, replies out; `program`: the standalone program and its interrupts.
+//! - `trial`: what the assembler asks.
 //!
 //! This file is the clock: it takes the module from one thing that happens to the next.
 
@@ -26,6 +27,8 @@ mod parameters;
 mod pins;
 mod power;
 mod program;
+#[cfg(feature = "std")]
+pub mod trial;
 mod wire;
 
 use crate::board::{Board, Port};

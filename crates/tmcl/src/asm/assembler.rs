@@ -5,7 +5,7 @@ use super::load::{Loader, Placed};
 use super::parser::{Expression, Node, Span, Statement};
 use super::symbols::{Definition, Entry, Reason, Symbols, ValueError};
 use super::{Assembly, Environment, Place, Program, RAW_MNEMONIC, Symbol};
-use crate::isa::{self, Command, Field, Instruction, Operand, PROGRAM_LENGTH, Role, opcode};
+use crate::isa::{self, Command, Field, Operand, PROGRAM_LENGTH, Role, opcode};
 use source::Source;
 use source::nearest;
 
@@ -173,7 +173,7 @@ impl Assembler<'_> {
         let optional = entry.operands.iter().filter(|operand| operand.optional).count();
         let most = entry.operands.len();
         if !(most - optional..=most).contains(&operands.len()) {
-            self.wrong_count(file, mnemonic, operands, usage(entry));
+            self.wrong_count(file, mnemonic, operands, entry.form());
             return None;
         }
         let mut command = Some(Command::new(entry.opcode, 0, 0, 0));
@@ -263,15 +263,18 @@ impl Assembler<'_> {
             self.program.commands.push(Command::STOP);
             self.program.map.push(place);
         }
-        let symbols = std::mem::take(&mut self.symbols.entries);
-        for (name, entry) in symbols {
-            let place = self.place(entry.file, &entry.span);
-            let (value, label) = match entry.definition {
-                Definition::Label(value) => (value, true),
-                Definition::Constant(value) => (value, false),
-                Definition::Pending(_) | Definition::Open | Definition::Broken => continue,
+        let mut definitions = Vec::new();
+        for (name, Entry { file, span, definition }) in std::mem::take(&mut self.symbols.entries) {
+            let (value, label) = match definition {
+                Definition::Label(value) => (Some(value), true),
+                Definition::Constant(value) => (Some(value), false),
+                Definition::Pending(_) | Definition::Open | Definition::Broken => (None, false),
             };
-            self.program.symbols.push(Symbol { name, value, label, place });
+            if let Some(value) = value {
+                let place = self.place(file, &span);
+                self.program.symbols.push(Symbol { name: name.clone(), value, label, place });
+            }
+            definitions.push(super::Definition { name, value, label, file, span });
         }
         let order = |diagnostic: &Diagnostic| {
             let file = self.sources.iter().position(|source| source.name == diagnostic.place.file);
@@ -283,19 +286,7 @@ impl Assembler<'_> {
             program: (!failed).then_some(self.program),
             diagnostics: self.diagnostics,
             files: self.sources,
+            definitions,
         }
     }
-}
-
-/// How a command is written: `MVP <ABS|REL|COORD>, <motor>, <position>`.
-fn usage(entry: &Instruction) -> String {
-    let operand = |operand: &Operand| {
-        let name = match operand.role {
-            Role::Keyword(words) => words.iter().map(|word| word.name).collect::<Vec<_>>().join("|"),
-            _ => operand.name().to_owned(),
-        };
-        if operand.optional { format!("[<{name}>]") } else { format!("<{name}>") }
-    };
-    let operands: Vec<_> = entry.operands.iter().map(operand).collect();
-    format!("{} {}", entry.mnemonic.unwrap_or_default(), operands.join(", ")).trim_end().to_owned()
 }

@@ -6,37 +6,53 @@ use std::ops::Range;
 /// A token.
 #[derive(Logos, Clone, Copy, Debug, PartialEq, Eq)]
 #[logos(skip r"[ \t\u{C}\u{A0}\u{FEFF}]+")]
-#[logos(skip(r"//[^\r\n]*", allow_greedy = true))]
-pub(super) enum Token {
+pub enum Token {
+    /// The end of a line.
     #[regex(r"\r\n|\n|\r")]
     LineEnd,
+    /// From the slashes to the end of the line.
+    #[regex(r"//[^\r\n]*", allow_greedy = true)]
+    Comment,
+    /// A mnemonic, a keyword or a symbol.
     #[regex(r"[\p{L}_][\p{L}\p{N}_]*")]
     Name,
+    /// A number.
     #[regex(r"[0-9]+")]
     Decimal,
+    /// A number behind `$` or `0x`.
     #[regex(r"(\$|0[xX])[0-9A-Fa-f]+")]
     Hexadecimal,
+    /// A number behind `%` or `0b`.
     #[regex(r"(%|0[bB])[01]+")]
     Binary,
     /// `#` and everything behind it, comment included.
     #[regex(r"#[^\r\n]*", allow_greedy = true)]
     Directive,
+    /// `:`.
     #[token(":")]
     Colon,
+    /// `,`.
     #[token(",")]
     Comma,
+    /// `=`.
     #[token("=")]
     Equals,
+    /// `+`.
     #[token("+")]
     Plus,
+    /// `-`.
     #[token("-")]
     Minus,
+    /// `*`.
     #[token("*")]
     Star,
+    /// `/`.
     #[token("/")]
     Slash,
+    /// `(`.
     #[token("(")]
     Open,
+    /// `)`.
     #[token(")")]
     Close,
     /// A character that means nothing.
@@ -44,15 +60,21 @@ pub(super) enum Token {
 }
 
 /// A token and where it stands.
-pub(super) type Spanned = (Token, Range<usize>);
+pub type Spanned = (Token, Range<usize>);
 
-/// The tokens of each line that has any.
+/// All tokens of a text.
+pub fn tokens(text: &str) -> impl Iterator<Item = Spanned> {
+    Token::lexer(text).spanned().map(|(token, span)| (token.unwrap_or(Token::Unknown), span))
+}
+
+/// The tokens of each line that has any, without comments.
 pub(super) fn lines(text: &str) -> Vec<Vec<Spanned>> {
     let mut lines = Vec::new();
     let mut line = Vec::new();
-    for (token, span) in Token::lexer(text).spanned() {
-        match token.unwrap_or(Token::Unknown) {
+    for (token, span) in tokens(text) {
+        match token {
             Token::LineEnd => lines.push(std::mem::take(&mut line)),
+            Token::Comment => (),
             token => line.push((token, span)),
         }
     }

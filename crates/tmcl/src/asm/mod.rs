@@ -12,12 +12,19 @@ mod load;
 mod parser;
 mod symbols;
 
+/// What a source says before it is known what it means, for editors.
+pub mod syntax {
+    pub use super::lexer::{Spanned, Token, tokens};
+    pub use super::parser::{Expression, Node, Operator, Statement, SyntaxError, parse};
+}
+
 pub use diagnostic::{Diagnostic, Severity};
 pub use fmt::format;
 pub use load::{INTERRUPTS_FILE, MAX_FILES, MAX_INCLUDE_DEPTH};
 pub use source::{MAX_SOURCE_BYTES, Source};
 
 use crate::isa::Command;
+use source::Span;
 use std::fmt::Write;
 
 /// The mnemonic that writes a command's fields as they are: opcode, type, motor, value.
@@ -64,6 +71,23 @@ pub struct Assembly {
     pub diagnostics: Vec<Diagnostic>,
     /// The files that were read; the first is the main one.
     pub files: Vec<Source>,
+    /// What is defined in them, by name, even if there are errors.
+    pub definitions: Vec<Definition>,
+}
+
+/// Where a label or constant is defined.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The name.
+    pub name: String,
+    /// Its value; `None` if what it is defined by is wrong.
+    pub value: Option<i64>,
+    /// Whether it is the address of a command.
+    pub label: bool,
+    /// The file, as an index of [`Assembly::files`].
+    pub file: usize,
+    /// Where the name stands in it.
+    pub span: Span,
 }
 
 /// A program, and where it comes from.

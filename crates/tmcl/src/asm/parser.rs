@@ -14,44 +14,61 @@ pub(super) type Span = Range<usize>;
 
 /// A number, or how to get one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Expression {
-    pub(super) span: Span,
-    pub(super) node: Node,
+pub struct Expression {
+    /// Where it stands.
+    pub span: Span,
+    /// What it is.
+    pub node: Node,
 }
 
+/// How to get a number.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Node {
+pub enum Node {
     /// A number; `None` if it does not fit 64 bits.
     Number(Option<i64>),
     /// A symbol or a keyword: the text at the span.
     Name,
+    /// A number with the other sign.
     Negative(Box<Expression>),
+    /// Two numbers and what is between them.
     Binary(Operator, Box<Expression>, Box<Expression>),
 }
 
+/// What is between two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Operator {
+pub enum Operator {
+    /// `+`.
     Add,
+    /// `-`.
     Subtract,
+    /// `*`.
     Multiply,
+    /// `/`.
     Divide,
 }
 
 /// What a line says. Spans are those of the names.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Statement {
+pub enum Statement {
+    /// A label.
     Label(Span),
+    /// A constant and its value.
     Constant(Span, Expression),
+    /// A mnemonic and its operands.
     Command(Span, Vec<Expression>),
+    /// The name of a file that is to be read here.
     Include(Span),
+    /// No `STOP` is to be appended.
     NoStop,
 }
 
 /// Why a line is none.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct SyntaxError {
-    pub(super) span: Span,
-    pub(super) message: String,
+pub struct SyntaxError {
+    /// Where.
+    pub span: Span,
+    /// What is the matter.
+    pub message: String,
 }
 
 type Result<T> = std::result::Result<T, SyntaxError>;
@@ -61,7 +78,7 @@ fn error<T>(span: Span, message: impl Into<String>) -> Result<T> {
 }
 
 /// The statements of a source, and what is wrong with the lines that are none.
-pub(super) fn parse(source: &Source) -> (Vec<Statement>, Vec<SyntaxError>) {
+pub fn parse(source: &Source) -> (Vec<Statement>, Vec<SyntaxError>) {
     let (mut statements, mut errors) = (Vec::new(), Vec::new());
     for tokens in lexer::lines(&source.text) {
         let mut line = Line { source, tokens: &tokens, position: 0, operators: 0 };

@@ -224,6 +224,16 @@ impl Operand {
         }
     }
 
+    /// How a program writes it: `<motor>`, `[<value>]`, `<ABS|REL|COORD>`.
+    #[cfg(feature = "std")]
+    pub fn form(&self) -> String {
+        let name = match self.role {
+            Role::Keyword(words) => words.iter().map(|word| word.name).collect::<Vec<_>>().join("|"),
+            _ => self.name().to_owned(),
+        };
+        if self.optional { format!("[<{name}>]") } else { format!("<{name}>") }
+    }
+
     /// The numbers that fit. A value field takes signed and unsigned 32-bit numbers; which of them a
     /// parameter accepts is the device's business.
     pub const fn range(&self) -> RangeInclusive<i64> {
@@ -288,6 +298,14 @@ impl Instruction {
             Mode::Program => self.program,
             Mode::Ascii => self.ascii && self.direct,
         }
+    }
+
+    /// How a program writes it: `MVP <ABS|REL|COORD>, <motor>, <position>`; empty without a mnemonic.
+    #[cfg(feature = "std")]
+    pub fn form(&self) -> String {
+        let Some(mnemonic) = self.mnemonic else { return String::new() };
+        let operands: Vec<_> = self.operands.iter().map(Operand::form).collect();
+        format!("{mnemonic} {}", operands.join(", ")).trim_end().to_owned()
     }
 }
 

@@ -1,4 +1,5 @@
-//! Messages on the wire: a header with a length, then JSON.
+//! Messages between an editor and a program that it started, over standard input and output: a header with a length,
+//! then JSON. The Debug Adapter Protocol and the Language Server Protocol both have them.
 
 use serde::{Serialize, de::DeserializeOwned};
 use std::io::{self, BufRead, Read, Write};
@@ -27,7 +28,19 @@ pub enum WireError {
 }
 
 /// Reads a message; `None` at the end.
+///
+/// # Errors
+/// All of [`WireError`].
 pub fn read<T: DeserializeOwned>(input: &mut impl BufRead) -> Result<Option<T>, WireError> {
+    let Some(text) = read_text(input)? else { return Ok(None) };
+    Ok(Some(serde_json::from_slice(&text)?))
+}
+
+/// Reads the text of a message, whatever it is; `None` at the end.
+///
+/// # Errors
+/// [`WireError::Io`] and [`WireError::Header`].
+pub fn read_text(input: &mut impl BufRead) -> Result<Option<Vec<u8>>, WireError> {
     let mut length = None;
     for number in 0..MAX_HEADER_LINES {
         let mut line = Vec::new();
@@ -46,15 +59,25 @@ pub fn read<T: DeserializeOwned>(input: &mut impl BufRead) -> Result<Option<T>, 
     let length = length.filter(|length| *length <= MAX_MESSAGE_BYTES).ok_or(WireError::Header)?;
     let mut message = vec![0; length as usize];
     input.read_exact(&mut message)?;
-    Ok(Some(serde_json::from_slice(&message)?))
+    Ok(Some(message))
 }
 
 /// Writes a message.
+///
+/// # Errors
+/// [`WireError::Io`] and [`WireError::Message`].
 pub fn write(output: &mut impl Write, message: &impl Serialize) -> Result<(), WireError> {
-    let text = serde_json::to_vec(message)?;
+    Ok(write_text(output, &serde_json::to_vec(message)?)?)
+}
+
+/// Writes the text of a message.
+///
+/// # Errors
+/// Those of the output.
+pub fn write_text(output: &mut impl Write, text: &[u8]) -> io::Result<()> {
     write!(output, "Content-Length: {}\r\n\r\n", text.len())?;
-    output.write_all(&text)?;
-    Ok(output.flush()?)
+    output.write_all(text)?;
+    output.flush()
 }
 
 #[cfg(test)]

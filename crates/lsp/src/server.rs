@@ -1,0 +1,318 @@
+//! The conversation: its phases, the documents that are open, and what each message asks for.
+
+use crate::{
+    Files,
+    document::Document,
+    program::{self, Finding, Surroundings, Tongue},
+    protocol::{
+        Code, ConfigurationItem, ConfigurationParams, ConfigurationRequest, Diagnostic, DiagnosticSeverity,
+        DidChangeConfigurationParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
+        DidOpenTextDocumentParams, Error, ErrorCodes, Id, Incoming, InitializeParams, InitializeResult,
+        LspNotificationMethod, LspRequestMethod, Message, PublishDiagnosticsNotification,
+        PublishDiagnosticsParams, RequestObject, ResponseObject, ServerCapabilities, ServerInfo,
+        TextDocumentContentChangeEvent, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, Uri,
+        error, read,
+    },
+    text::Encoding,
+    uri,
+};
+use devices::{MODELS, Model};
+use serde_json::{Value, json};
+use source::Source;
+use std::collections::BTreeMap;
+
+/// Most documents that are open at a time; what is opened beyond is not looked at.
+pub const MAX_DOCUMENTS: usize = 256;
+
+/// The section of an editor's settings that is ours.
+const SECTION: &str = "pulsetrain";
+
+/// Number of the one request that the server makes.
+const ASKED: Id = Id::Number(1);
+
+/// How far the conversation is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Phase {
+    /// Nobody has said hello.
+    New,
+    Running,
+    /// The editor has said that it will leave.
+    Closing,
+    /// It has left.
+    Over,
+}
+
+/// A language server in a conversation with one editor.
+pub struct Server {
+    phase: Phase,
+    /// Whether the editor left without saying that it would.
+    abrupt: bool,
+    files: Box<dyn Files + Send>,
+    /// The model that programs are for, if the editor says nothing.
+    default_model: Option<&'static Model>,
+    model: Option<&'static Model>,
+    encoding: Encoding,
+    /// Whether the editor can be asked for its settings.
+    has_settings: bool,
+    documents: BTreeMap<String, Document>,
+    out: Vec<String>,
+}
+
+impl Server {
+    /// A server for programs of a model; without one, a program is taken for one of the first model whose programs
+    /// look like it. `files` has what sources include.
+    pub fn new(model: Option<&'static Model>, files: Box<dyn Files + Send>) -> Self {
+        Self {
+            phase: Phase::New,
+            abrupt: false,
+            files,
+            default_model: model,
+            model,
+            encoding: Encoding::default(),
+            has_settings: false,
+            documents: BTreeMap::new(),
+            out: Vec::new(),
+        }
+    }
+
+    /// Whether the editor has left, so that nothing more will be answered.
+    pub fn is_over(&self) -> bool {
+        self.phase == Phase::Over
+    }
+
+    /// Whether it left without saying that it would, for which a program's exit status is 1.
+    pub fn is_abrupt(&self) -> bool {
+        self.abrupt
+    }
+
+    /// Takes the text of a message, and gives those of the messages that follow from it, in order. What is no
+    /// message is answered with an error.
+    pub fn handle(&mut self, text: &str) -> Vec<String> {
+        if !self.is_over() {
+            match read(text) {
+                Err(error) => self.send(&ResponseObject::from_error(Id::Null, error)),
+                Ok(Incoming::Request(id, method, params)) => {
+                    let answer = self.request(&method, params);
+                    self.answer(id, answer);
+                }
+                Ok(Incoming::Notification(method, params)) => self.notification(&method, params),
+                Ok(Incoming::Response(id, result)) if id == ASKED => self.configure(result.as_ref()),
+                Ok(Incoming::Response(..)) => (),
+            }
+        }
+        std::mem::take(&mut self.out)
+    }
+
+    fn send(&mut self, message: &impl serde::Serialize) {
+        self.out.push(serde_json::to_string(message).expect("our own messages are JSON"));
+    }
+
+    fn answer(&mut self, id: Id, answer: Result<Value, Error>) {
+        match answer {
+            Ok(result) => self.send(&json!({"jsonrpc": "2.0", "id": id, "result": result})),
+            Err(error) => self.send(&ResponseObject::from_error(id, error)),
+        }
+    }
+
+    fn request(&mut self, method: &str, params: Value) -> Result<Value, Error> {
+        use LspRequestMethod as Method;
+        let method = Method::from(method);
+        match (self.phase, &method) {
+            (Phase::New, Method::Initialize) => value(&self.initialize(&typed(params)?)),
+            (Phase::New, _) => Err(error(ErrorCodes::ServerNotInitialized, "`initialize` comes first")),
+            (Phase::Running, Method::Shutdown) => {
+                self.phase = Phase::Closing;
+                Ok(Value::Null)
+            }
+            (Phase::Running, _) => {
+                let message = format!("there is no `{method}` here");
+                Err(error(ErrorCodes::MethodNotFound, message))
+            }
+            _ => Err(error(ErrorCodes::InvalidRequest, "nothing comes after `shutdown`")),
+        }
+    }
+
+    fn notification(&mut self, method: &str, params: Value) {
+        use LspNotificationMethod as Method;
+        let method = Method::from(method);
+        match (self.phase, method) {
+            (phase, Method::Exit) => {
+                self.abrupt = phase != Phase::Closing;
+                self.phase = Phase::Over;
+            }
+            (Phase::Running, Method::Initialized) => self.ask_for_settings(),
+            (Phase::Running, Method::WorkspaceDidChangeConfiguration) => {
+                if let Ok(DidChangeConfigurationParams { settings }) = typed(params) {
+                    match settings.get(SECTION) {
+                        Some(settings) => self.configure(Some(&json!([settings]))),
+                        None => self.ask_for_settings(),
+                    }
+                }
+            }
+            (Phase::Running, Method::TextDocumentDidOpen) => {
+                typed(params).map_or((), |params| self.open(params))
+            }
+            (Phase::Running, Method::TextDocumentDidChange) => {
+                typed(params).map_or((), |params| self.change(params))
+            }
+            (Phase::Running, Method::TextDocumentDidClose) => {
+                typed(params).map_or((), |params| self.close(&params))
+            }
+            _ => (),
+        }
+    }
+
+    fn initialize(&mut self, params: &InitializeParams) -> InitializeResult {
+        self.phase = Phase::Running;
+        if let Some(options) = &params.initialization_options {
+            self.set_model(options);
+        }
+        let capabilities = &params.capabilities;
+        let offered = capabilities.general.as_ref().and_then(|general| general.position_encodings.as_deref());
+        self.encoding = Encoding::choose(offered.unwrap_or_default());
+        self.has_settings =
+            capabilities.workspace.as_ref().and_then(|workspace| workspace.configuration).unwrap_or(false);
+        InitializeResult {
+            capabilities: self.capabilities(),
+            server_info: Some(ServerInfo {
+                name: "pulsetrain".into(),
+                version: Some(env!("CARGO_PKG_VERSION").into()),
+            }),
+        }
+    }
+
+    fn capabilities(&self) -> ServerCapabilities {
+        let sync = TextDocumentSyncOptions {
+            open_close: Some(true),
+            change: Some(TextDocumentSyncKind::Full),
+            ..TextDocumentSyncOptions::default()
+        };
+        ServerCapabilities {
+            position_encoding: Some(self.encoding.kind()),
+            text_document_sync: Some(TextDocumentSync::Options(sync)),
+            ..ServerCapabilities::default()
+        }
+    }
+
+    fn ask_for_settings(&mut self) {
+        if self.has_settings {
+            let items = vec![ConfigurationItem { scope_uri: None, section: Some(SECTION.into()) }];
+            let request =
+                RequestObject::from_request::<ConfigurationRequest>(ASKED, ConfigurationParams { items });
+            self.send(&request);
+        }
+    }
+
+    /// Takes up the editor's settings: a list of one.
+    fn configure(&mut self, settings: Option<&Value>) {
+        if let Some(settings) =
+            settings.and_then(|settings| settings.get(0)).filter(|value| value.is_object())
+        {
+            self.set_model(settings);
+            self.read_again(|_| true);
+        }
+    }
+
+    /// The model that settings name. One that does not exist is none.
+    fn set_model(&mut self, settings: &Value) {
+        let named = settings.get("model").and_then(Value::as_str).filter(|name| !name.is_empty());
+        self.model = match named {
+            Some(name) => MODELS.iter().find(|model| model.name == name),
+            None => self.default_model,
+        };
+    }
+
+    fn open(&mut self, params: DidOpenTextDocumentParams) {
+        let item = params.text_document;
+        let uri = item.uri.0;
+        if self.documents.len() < MAX_DOCUMENTS || self.documents.contains_key(&uri) {
+            self.read(uri, item.language_id.to_string(), item.version, &item.text);
+        }
+    }
+
+    fn change(&mut self, params: DidChangeTextDocumentParams) {
+        let uri = params.text_document.text_document_identifier.uri.0;
+        let Some(document) = self.documents.get(&uri) else { return };
+        let language = document.language.clone();
+        // The editor was told that changes are whole texts.
+        let Some(TextDocumentContentChangeEvent::TextDocumentContentChangeWholeDocument(change)) =
+            params.content_changes.into_iter().last()
+        else {
+            return;
+        };
+        self.read(uri, language, params.text_document.version, &change.text);
+    }
+
+    fn close(&mut self, params: &DidCloseTextDocumentParams) {
+        let uri = &params.text_document.uri.0;
+        if self.documents.remove(uri).is_some() {
+            self.publish(uri, None, Vec::new());
+            let uri = uri.clone();
+            self.read_again(|document| document.includes(&uri));
+        }
+    }
+
+    /// Reads a document, says what there is to say about it, and about those that include it.
+    fn read(&mut self, uri: String, language: String, version: i32, text: &str) {
+        self.documents.remove(&uri);
+        let source = Source::new(uri.clone(), text.as_bytes());
+        self.understand(uri.clone(), language, version, source);
+        self.read_again(|document| document.includes(&uri));
+    }
+
+    fn understand(&mut self, uri: String, language: String, version: i32, source: Source) {
+        let tongue = Tongue::of(&uri, &language, self.model);
+        let around = Surroundings { documents: &self.documents, files: &*self.files };
+        let program = program::read(&source, tongue, &around);
+        let diagnostics =
+            program.findings().iter().map(|finding| self.diagnostic(&source, finding)).collect();
+        self.publish(&uri, Some(version), diagnostics);
+        self.documents.insert(uri.clone(), Document { uri, language, version, source, program });
+    }
+
+    fn read_again(&mut self, which: impl Fn(&Document) -> bool) {
+        let uris: Vec<_> = self
+            .documents
+            .values()
+            .filter(|document| which(document))
+            .map(|document| document.uri.clone())
+            .collect();
+        for uri in uris {
+            if let Some(Document { uri, language, version, source, .. }) = self.documents.remove(&uri) {
+                self.understand(uri, language, version, source);
+            }
+        }
+    }
+
+    fn diagnostic(&self, source: &Source, finding: &Finding) -> Diagnostic {
+        let severity = if finding.is_error { DiagnosticSeverity::Error } else { DiagnosticSeverity::Warning };
+        Diagnostic {
+            range: self.encoding.range(source, &finding.span),
+            severity: Some(severity),
+            code: finding.code.clone().map(Code::String),
+            source: Some("pulsetrain".into()),
+            message: Message::String(finding.message.clone()),
+            ..Diagnostic::default()
+        }
+    }
+
+    fn publish(&mut self, uri: &str, version: Option<i32>, diagnostics: Vec<Diagnostic>) {
+        let params = PublishDiagnosticsParams { uri: Uri(uri.to_owned()), version, diagnostics };
+        self.send(&RequestObject::from_notification::<PublishDiagnosticsNotification>(params));
+    }
+}
+
+impl Document {
+    fn includes(&self, uri: &str) -> bool {
+        self.program.includes().iter().any(|include| uri::same(include, uri))
+    }
+}
+
+/// The parameters of a message.
+fn typed<T: serde::de::DeserializeOwned>(params: Value) -> Result<T, Error> {
+    serde_json::from_value(params).map_err(|wrong| error(ErrorCodes::InvalidParams, wrong.to_string()))
+}
+
+fn value(result: &impl serde::Serialize) -> Result<Value, Error> {
+    serde_json::to_value(result).map_err(|wrong| error(ErrorCodes::InternalError, wrong.to_string()))
+}
