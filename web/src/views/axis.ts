@@ -153,7 +153,7 @@ class Axis extends Tab {
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${axis} in negative direction while pressed`}
             @begin=${() => this.#jogTo(-1)} @end=${this.#jogEnd}>◀ −</pt-hold>
           <button ?disabled=${!this.reachable} aria-label="Stop ${axis}" title="Stop with deceleration"
-            @click=${() => this.#act({ do: "stop", axis })}>■</button>
+            @click=${this.#stop}>■</button>
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${axis} in positive direction while pressed`}
             @begin=${() => this.#jogTo(1)} @end=${this.#jogEnd}>+ ▶</pt-hold>
         </div>
@@ -231,6 +231,12 @@ class Axis extends Tab {
     this.#jog = this.#act({ do: "jog", axis: this.axis, direction }).finally(() => {
       this.#jog = null;
     });
+  }
+
+  /** Whoever has no control can stop the whole controller. */
+  #stop(): void {
+    if (this.locked) void attempt(() => this.api.stop(this.device.name));
+    else void this.#act({ do: "stop", axis: this.axis });
   }
 
   /** Stops at once, and once more if the jog was still on its way: it may arrive later than the stop. */

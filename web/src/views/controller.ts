@@ -76,6 +76,9 @@ class Controller extends LitElement {
         color: var(--error);
         font-weight: 550;
       }
+      .stale {
+        opacity: 0.65;
+      }
       .waiting {
         padding: 40px 0;
         text-align: center;
@@ -184,7 +187,7 @@ class Controller extends LitElement {
         )}
       </nav>
       ${this.#banner()}
-      <main></main>
+      <main class=${this.#live?.connected ? "" : "stale"}></main>
     `;
   }
 

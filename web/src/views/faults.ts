@@ -169,6 +169,8 @@ class Faults extends Tab {
         return this.catalog.axes;
       case "pin":
         return this.catalog.pins.filter(({ kind }) => kind !== "output" && kind !== "analog_output").map(({ name }) => name);
+      case "port":
+        return ["usb", "rs485", "can"];
       case "way":
         return ["in", "out"];
       case "value":

@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import { base } from "../ui/styles.ts";
 import "./faults.ts";
+import { hasHandWheel } from "./hand-wheel.ts";
 import "./machine.ts";
 import "./pins.ts";
 import { Tab } from "./tab.ts";
@@ -33,7 +34,12 @@ class InputsOutputs extends Tab {
     return html`
       ${isVirtual ? html`<pt-machine class="wide" ${this.given()}></pt-machine>` : nothing}
       <pt-pins class=${isVirtual ? "" : "wide"} ${this.given()}></pt-pins>
-      ${isVirtual ? html`<pt-faults ${this.given()}></pt-faults>` : nothing}
+      ${isVirtual
+        ? html`<div class="stack">
+            <pt-faults ${this.given()}></pt-faults>
+            ${hasHandWheel(this.catalog) ? html`<pt-hand-wheel ${this.given()}></pt-hand-wheel>` : nothing}
+          </div>`
+        : nothing}
     `;
   }
 }

@@ -109,6 +109,7 @@ class MachineView extends Tab {
       .switch {
         cursor: grab;
         touch-action: none;
+        user-select: none;
         outline: none;
       }
       .switch .body {
@@ -129,8 +130,11 @@ class MachineView extends Tab {
         fill: var(--error);
         stroke: var(--error);
       }
-      .switch.on text {
+      .switch.on .body + text {
         fill: var(--panel);
+      }
+      .hit {
+        fill: transparent;
       }
       .switch:focus-visible .body {
         stroke: var(--accent);
@@ -351,7 +355,7 @@ class MachineView extends Tab {
         @pointermove=${(event: PointerEvent) => this.#move(name, role, () => toPulse(event))}
         @pointerup=${() => this.#drop()} @pointercancel=${() => this.#drop()} @lostpointercapture=${() => this.#drop()}
         @keydown=${hold} @keyup=${hold} @blur=${() => this.#drop()}>
-        ${body} ${label}
+        <rect class="hit" x="-23" y="-20" width="46" height="46" />${body} ${label}
       </g>
     `;
   }

@@ -98,7 +98,7 @@ class Moves extends Tab {
         </div>
         <div class="row">
           <button type="button" class="grow" ?disabled=${!this.reachable} title="With deceleration"
-            @click=${() => attempt(() => this.api.act(this.device.name, { do: "stop" }))}>Stop all axes</button>
+            @click=${() => attempt(() => this.api.stop(this.device.name))}>Stop all axes</button>
           ${this.catalog.actions.includes("abort")
             ? html`<button type="button" class="danger grow" ?disabled=${!this.usable} title="At once, without deceleration"
                 @click=${() => attempt(() => this.api.act(this.device.name, { do: "abort" }))}>Abort</button>`

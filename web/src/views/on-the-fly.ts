@@ -18,16 +18,16 @@ class OnTheFly extends Tab {
         height: 100%;
       }
       .fields {
-        display: grid;
-        grid-auto-columns: minmax(0, 1fr);
+        display: flex;
+        flex-wrap: wrap;
         gap: 8px;
-        align-items: end;
       }
       .fields label {
-        grid-row: 1;
+        flex: 1;
+        min-width: 60px;
       }
       .fields button {
-        grid-column: 1 / -1;
+        flex-basis: 100%;
       }
     `,
   ];

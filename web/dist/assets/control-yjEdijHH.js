@@ -1,4 +1,4 @@
-import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r as u,t as d,u as f,v as p}from"./index-6YsHXptu.js";import{t as m}from"./tab-Bk1Yzmbc.js";import"./curves-Dal025no.js";var h=n`
+import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r as u,t as d,u as f,v as p}from"./index-Bk_ATE3D.js";import{t as m}from"./tab-bxRQRd0T.js";import"./curves-Dk_yFJjw.js";import{t as h}from"./axis-picker-6Ff5TvKk.js";var g=n`
   .lamp {
     display: inline-flex;
     align-items: center;
@@ -26,11 +26,11 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
     border-color: var(--error);
     background: var(--error);
   }
-`;function g(t,n,r,i=!1){return n==null?e:p`
+`;function _(t,n,r,i=!1){return n==null?e:p`
     <span class="lamp ${n?`on`:``} ${i?`hot`:``}" title="${r}: ${n?`on`:`off`}"
       >${t}<span class="visually-hidden">, ${r} ${n?`on`:`off`}</span></span
     >
-  `}var _=class extends a{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[r,n`
+  `}var v=class extends a{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[r,n`
       button {
         width: 100%;
         min-height: 38px;
@@ -56,7 +56,7 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
         @keyup=${this.#i}
         @blur=${this.#e}
       ><slot></slot></button>
-    `}#n(e){e.button===0&&(e.currentTarget.setPointerCapture(e.pointerId),this.#a())}#r(e){e.key===`Escape`&&this.#o(),(e.key===` `||e.key===`Enter`)&&(e.preventDefault(),e.repeat||this.#a())}#i(e){(e.key===` `||e.key===`Enter`)&&this.#o()}#a(){this.held||this.disabled||(this.held=!0,this.dispatchEvent(new Event(`begin`)))}#o(){this.held&&(this.held=!1,this.dispatchEvent(new Event(`end`)))}};customElements.define(`pt-hold`,_);var v=class extends m{static properties={...m.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,h,n`
+    `}#n(e){e.button===0&&(e.currentTarget.setPointerCapture(e.pointerId),this.#a())}#r(e){e.key===`Escape`&&this.#o(),(e.key===` `||e.key===`Enter`)&&(e.preventDefault(),e.repeat||this.#a())}#i(e){(e.key===` `||e.key===`Enter`)&&this.#o()}#a(){this.held||this.disabled||(this.held=!0,this.dispatchEvent(new Event(`begin`)))}#o(){this.held&&(this.held=!1,this.dispatchEvent(new Event(`end`)))}};customElements.define(`pt-hold`,v);var y=class extends m{static properties={...m.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,g,n`
       .panel {
         display: flex;
         flex-direction: column;
@@ -158,10 +158,10 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
         </div>
         ${this.#t(t)}
         <div class="lamps">
-          ${g(`−L`,t.negative_limit,`negative limit`,!0)}
-          ${g(`Home`,t.home,`home switch`)}
-          ${g(`+L`,t.positive_limit,`positive limit`,!0)}
-          ${g(`Z`,t.index,`encoder index`)}
+          ${_(`−L`,t.negative_limit,`negative limit`,!0)}
+          ${_(`Home`,t.home,`home switch`)}
+          ${_(`+L`,t.positive_limit,`positive limit`,!0)}
+          ${_(`Z`,t.index,`encoder index`)}
         </div>
         <div class="error-line">
           ${t.error?p`<strong class="error-text grow">⚠ ${t.error}</strong>`:p`<span class="muted grow">no error</span>`}
@@ -170,11 +170,11 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
         </div>
         <div class="jog">
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in negative direction while pressed`}
-            @begin=${()=>this.#o(-1)} @end=${this.#s}>◀ −</pt-hold>
+            @begin=${()=>this.#o(-1)} @end=${this.#c}>◀ −</pt-hold>
           <button ?disabled=${!this.reachable} aria-label="Stop ${r}" title="Stop with deceleration"
-            @click=${()=>this.#a({do:`stop`,axis:r})}>■</button>
+            @click=${this.#s}>■</button>
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in positive direction while pressed`}
-            @begin=${()=>this.#o(1)} @end=${this.#s}>+ ▶</pt-hold>
+            @begin=${()=>this.#o(1)} @end=${this.#c}>+ ▶</pt-hold>
         </div>
         ${this.#n(t)} ${this.#r(n)}
       </section>
@@ -186,7 +186,7 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
       <details>
         <summary>Status bits · ${t.flags.join(`, `)||`none set`}</summary>
         <ul>
-          ${this.catalog.status_bits.map(({name:e,text:n,kind:r})=>p`<li>${g(e,t.flags.includes(e),n||e,r===`error`)}</li>`)}
+          ${this.catalog.status_bits.map(({name:e,text:n,kind:r})=>p`<li>${_(e,t.flags.includes(e),n||e,r===`error`)}</li>`)}
         </ul>
       </details>
     `}#r(t){let n=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:e})=>t(e));return n.length===0?e:p`
@@ -199,15 +199,7 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
             </form>
           `)}
       </details>
-    `}#i(e,t){e.preventDefault();let n=l(String(new FormData(e.target).get(`value`)));n===null?f(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return s(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,v);function y(t,n,r,i){return t.length<2?e:p`
-    <div class="row" role="radiogroup" aria-label="Axis">
-      ${t.map(e=>p`
-          <label class="line">
-            <input type="radio" name=${r} .checked=${e===n} @change=${()=>i(e)} />${e}
-          </label>
-        `)}
-    </div>
-  `}var b=class extends m{static properties={...m.properties,axis:{state:!0},mode:{state:!0}};static styles=[r,n`
+    `}#i(e,t){e.preventDefault();let n=l(String(new FormData(e.target).get(`value`)));n===null?f(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return s(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?s(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,y);var b=class extends m{static properties={...m.properties,axis:{state:!0},mode:{state:!0}};static styles=[r,n`
       .panel {
         height: 100%;
       }
@@ -219,7 +211,7 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:t,axes:n}=this.catalog,r=t.find(({id:e})=>e===this.mode);return p`
       <div class="panel stack">
         <div class="row"><h2 class="grow">Home</h2>
-          ${y(n,this.axis,`home-axis`,e=>this.axis=e)}
+          ${h(n,this.axis,`home-axis`,e=>this.axis=e)}
         </div>
         <label>Mode
           <select @change=${e=>this.mode=Number(e.target.value)}>
@@ -289,7 +281,7 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
         </div>
         <div class="row">
           <button type="button" class="grow" ?disabled=${!this.reachable} title="With deceleration"
-            @click=${()=>s(()=>this.api.act(this.device.name,{do:`stop`}))}>Stop all axes</button>
+            @click=${()=>s(()=>this.api.stop(this.device.name))}>Stop all axes</button>
           ${this.catalog.actions.includes(`abort`)?p`<button type="button" class="danger grow" ?disabled=${!this.usable} title="At once, without deceleration"
                 @click=${()=>s(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:e}
         </div>
@@ -299,21 +291,21 @@ import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r a
         height: 100%;
       }
       .fields {
-        display: grid;
-        grid-auto-columns: minmax(0, 1fr);
+        display: flex;
+        flex-wrap: wrap;
         gap: 8px;
-        align-items: end;
       }
       .fields label {
-        grid-row: 1;
+        flex: 1;
+        min-width: 60px;
       }
       .fields button {
-        grid-column: 1 / -1;
+        flex-basis: 100%;
       }
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:t,axes:n,language:r,units:i}=this.catalog,a=r===`a-script`;return p`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
-          ${y(n,this.axis,`fly-axis`,e=>this.axis=e)}
+          ${h(n,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
         ${t.includes(`change_speed`)?p`<form class="fields" @submit=${this.#e}>
               <label title=${i.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>

@@ -1,4 +1,4 @@
-import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-6YsHXptu.js";import{t as f}from"./tab-Bk1Yzmbc.js";var p=1e3,m=[`pin`,`axis`,`port`,`way`,`bytes`],h={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},g=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
+import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-Bk_ATE3D.js";import{t as f}from"./tab-bxRQRd0T.js";import{t as p}from"./axis-picker-6Ff5TvKk.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -8,7 +8,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         font-size: 13px;
         color: var(--muted);
       }
-    `];constructor(){super(),this.faults=[],this.kinds=[],this.kind=``,this.problem=null}connectedCallback(){super.connectedCallback(),this.#t()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e)}async#t(){if(clearTimeout(this.#e),this.active&&!document.hidden)try{this.kinds.length===0&&(this.kinds=await this.api.faultKinds(),this.kind||=this.kinds[0]?.name??``),this.faults=await this.api.faults(this.device.name),this.problem=null}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#t(),p))}render(){let t=this.kinds.find(({name:e})=>e===this.kind),{name:n}=this.device;return u`
+    `];constructor(){super(),this.faults=[],this.kinds=[],this.kind=``,this.problem=null}connectedCallback(){super.connectedCallback(),this.#t()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e)}async#t(){if(clearTimeout(this.#e),this.active&&!document.hidden)try{this.kinds.length===0&&(this.kinds=await this.api.faultKinds(),this.kind||=this.kinds[0]?.name??``),this.faults=await this.api.faults(this.device.name),this.problem=null}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#t(),m))}render(){let t=this.kinds.find(({name:e})=>e===this.kind),{name:n}=this.device;return u`
       <section class="panel stack" aria-label="Power and faults">
         <div class="row"><h2 class="grow">Power</h2>
           <button class="small" ?disabled=${!this.usable} title="Off and on again"
@@ -27,9 +27,9 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
             @click=${()=>this.#i(()=>this.api.clearFaults(this.device.name))}>Clear all</button></th></tr></thead>
         <tbody>
           ${this.faults.map(e=>{let{id:t,kind:n,state:r,...i}=e,a=Object.entries(i).map(([e,t])=>`${e} ${typeof t==`object`?JSON.stringify(t):String(t)}`);return u`
-              <tr><td>${_(String(n))}</td><td>${a.join(`, `)}</td>
+              <tr><td>${v(String(n))}</td><td>${a.join(`, `)}</td>
                 <td><span class="badge ${r===`active`?`error`:`warn`}">${r}</span></td>
-                <td><button class="small" ?disabled=${!this.usable} aria-label="Clear ${_(String(n))}"
+                <td><button class="small" ?disabled=${!this.usable} aria-label="Clear ${v(String(n))}"
                   @click=${()=>this.#i(()=>this.api.clearFault(this.device.name,t))}>Clear</button></td></tr>`})}
         </tbody>
       </table>
@@ -37,7 +37,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
       <form class="stack" @submit=${this.#c}>
         <label>Kind
           <select @change=${e=>this.kind=e.target.value}>
-            ${this.kinds.map(({name:e})=>u`<option value=${e} ?selected=${e===this.kind}>${_(e)}</option>`)}
+            ${this.kinds.map(({name:e})=>u`<option value=${e} ?selected=${e===this.kind}>${v(e)}</option>`)}
           </select>
         </label>
         <p class="about">${e.text}</p>
@@ -47,9 +47,32 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         </div>
         <div class="row"><span class="grow"></span><button ?disabled=${!this.usable}>Add</button></div>
       </form>
-    `}#o(t,n){let r=`${t===`at`?`begins in`:_(t)}${h[t]?` (${h[t]})`:``}`,i=this.#s(t);return i?u`<label>${r}<select name=${t}>
+    `}#o(t,n){let r=`${t===`at`?`begins in`:v(t)}${g[t]?` (${g[t]})`:``}`,i=this.#s(t);return i?u`<label>${r}<select name=${t}>
         ${n?e:u`<option value="">any</option>`}
-        ${i.map(e=>u`<option>${e}</option>`)}</select></label>`:u`<label>${r}<input name=${t} type="text" class="number" autocomplete="off" ?required=${n} /></label>`}#s(e){switch(e){case`axis`:return this.catalog.axes;case`pin`:return this.catalog.pins.filter(({kind:e})=>e!==`output`&&e!==`analog_output`).map(({name:e})=>e);case`way`:return[`in`,`out`];case`value`:return[`true`,`false`];default:return null}}#c(e){e.preventDefault();let n={kind:this.kind};for(let[r,i]of new FormData(e.target)){let e=String(i).trim();if(e===``)continue;let a=m.includes(r)?e:r===`value`?e===`true`:t(e);if(a===null){l(`${_(r)}: “${e}” is not a number.`,`error`);return}n[r]=a}this.#i(()=>this.api.addFault(this.device.name,n))}};customElements.define(`pt-faults`,g);function _(e){return e.replaceAll(`_`,` `)}var v=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>o(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},y=30,b=1e4;function x(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/b)*b;n.push(t-b,t+b)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:y,low:r,high:i,perPulse:a,x:e=>y+(e-r)*a,pulse:e=>r+(e-y)/a}}function S(e,t){let n=e.circumference;return(t%n+n)%n/n}function C(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=S(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function w(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(S(e,n)-S(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var T=80,E=.35,D=88,O=38,k=172,A=48,j=5,M=1.5,N=[`negative limit`,`home`,`positive limit`],P={"negative limit":`−L`,home:`H`,"positive limit":`+L`},F=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,n`
+        ${i.map(e=>u`<option>${e}</option>`)}</select></label>`:u`<label>${r}<input name=${t} type="text" class="number" autocomplete="off" ?required=${n} /></label>`}#s(e){switch(e){case`axis`:return this.catalog.axes;case`pin`:return this.catalog.pins.filter(({kind:e})=>e!==`output`&&e!==`analog_output`).map(({name:e})=>e);case`port`:return[`usb`,`rs485`,`can`];case`way`:return[`in`,`out`];case`value`:return[`true`,`false`];default:return null}}#c(e){e.preventDefault();let n={kind:this.kind};for(let[r,i]of new FormData(e.target)){let e=String(i).trim();if(e===``)continue;let a=h.includes(r)?e:r===`value`?e===`true`:t(e);if(a===null){l(`${v(r)}: “${e}” is not a number.`,`error`);return}n[r]=a}this.#i(()=>this.api.addFault(this.device.name,n))}};customElements.define(`pt-faults`,_);function v(e){return e.replaceAll(`_`,` `)}var y=/^MPE/,b=[-100,-10,-1,1,10,100];function x(e){return e.parameters.some(({id:e})=>y.test(e))}var S=class extends f{static properties={...f.properties,axis:{state:!0}};static styles=[i,n`
+      .steps {
+        display: grid;
+        grid-template-columns: repeat(${b.length}, 1fr);
+        gap: 6px;
+      }
+      button {
+        padding: 3px 4px;
+      }
+      p {
+        font-size: 13px;
+      }
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){return u`
+      <section class="panel stack" aria-label="Hand wheel">
+        <div class="row"><h2 class="grow">Hand wheel</h2>
+          ${p(this.catalog.axes,this.axis,`wheel-axis`,e=>this.axis=e)}
+        </div>
+        <p class="muted">Counts of the manual pulse generator; the axis follows where MPE is 1.</p>
+        <div class="steps">
+          ${b.map(e=>u`<button ?disabled=${!this.usable} @click=${()=>this.#e(e)}>
+            ${e>0?`+${e}`:`−${-e}`}</button>`)}
+        </div>
+      </section>
+    `}#e(e){o(()=>this.api.turnPulser(this.device.name,this.axis,e))}};customElements.define(`pt-hand-wheel`,S);var C=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>o(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},w=30,T=1e4;function E(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/T)*T;n.push(t-T,t+T)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:w,low:r,high:i,perPulse:a,x:e=>w+(e-r)*a,pulse:e=>r+(e-w)/a}}function D(e,t){let n=e.circumference;return(t%n+n)%n/n}function O(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=D(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function k(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(D(e,n)-D(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var A=80,j=.35,M=88,N=38,P=172,F=48,I=5,L=1.5,R=[`negative limit`,`home`,`positive limit`],z={"negative limit":`−L`,home:`H`,"positive limit":`+L`},B=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,n`
       .axis + .axis {
         margin-top: 10px;
         padding-top: 10px;
@@ -102,6 +125,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
       .switch {
         cursor: grab;
         touch-action: none;
+        user-select: none;
         outline: none;
       }
       .switch .body {
@@ -122,8 +146,11 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         fill: var(--error);
         stroke: var(--error);
       }
-      .switch.on text {
+      .switch.on .body + text {
         fill: var(--panel);
+      }
+      .hit {
+        fill: transparent;
       }
       .switch:focus-visible .body {
         stroke: var(--accent);
@@ -153,7 +180,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           grid-template-columns: 1fr;
         }
       }
-    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:T))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(w(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*E;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${x(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(S(e,t)*360).toFixed(2)})`}render(){return this.machine?u`
+    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:A))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(k(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*j;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${E(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(D(e,t)*360).toFixed(2)})`}render(){return this.machine?u`
       <section class="panel stack" aria-label="Machine">
         <div class="row"><h2>Machine</h2>
           <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
@@ -170,10 +197,10 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         </div>
       </section>
     `:u`<section class="panel"><h2>Machine</h2>
-        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(t,n){let r=x(n,this.width),i=n.backlash*r.perPulse;return u`
-      <svg viewBox="0 0 ${this.width} ${D}" height=${D} role="group"
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(t,n){let r=E(n,this.width),i=n.backlash*r.perPulse;return u`
+      <svg viewBox="0 0 ${this.width} ${M}" height=${M} role="group"
         aria-label="Stage of axis ${t}, from ${n.negative_limit??`no limit`} to ${n.positive_limit??`no limit`}">
-        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${O} y2=${O} />
+        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${N} y2=${N} />
         ${this.#l(n,r)}
         ${n.home?d`<rect class="home" x=${r.x(n.home[0])} y=${35} height="6" rx="1"
               width=${Math.max(3,r.x(n.home[1])-r.x(n.home[0]))} />`:e}
@@ -182,36 +209,36 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
           <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
         </g>
-        ${N.map(e=>this.#d(t,n,e,r))}
+        ${R.map(e=>this.#d(t,n,e,r))}
       </svg>
-    `}#l(t,n){let r=t.index_every;if(!r||r*n.perPulse<j)return r?d`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(r)}</text>`:e;let i=Math.ceil(n.low/r),a=Math.floor(n.high/r)-i+1;return Array.from({length:a},(e,t)=>{let a=n.x((i+t)*r);return d`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(t,n){let{width:r}=this,i=n.index_every??0,a=i>0?Math.min(360,Math.floor(n.circumference/i)):0;return u`
-      <svg viewBox="${-r/2} ${-86} ${r} ${k}" height=${k} role="group"
+    `}#l(t,n){let r=t.index_every;if(!r||r*n.perPulse<I)return r?d`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(r)}</text>`:e;let i=Math.ceil(n.low/r),a=Math.floor(n.high/r)-i+1;return Array.from({length:a},(e,t)=>{let a=n.x((i+t)*r);return d`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(t,n){let{width:r}=this,i=n.index_every??0,a=i>0?Math.min(360,Math.floor(n.circumference/i)):0;return u`
+      <svg viewBox="${-r/2} ${-86} ${r} ${P}" height=${P} role="group"
         aria-label="Shaft of axis ${t}, ${n.circumference} to the turn">
-        <circle class="rail" r=${A} />
-        ${Array.from({length:a},(e,t)=>d`<line class="mark" transform="rotate(${S(n,t*i)*360})" y1=${-43} y2=${-37} />`)}
-        ${n.home?d`<path class="home-arc" d=${C(n,n.home,A)} />`:e}
+        <circle class="rail" r=${F} />
+        ${Array.from({length:a},(e,t)=>d`<line class="mark" transform="rotate(${D(n,t*i)*360})" y1=${-43} y2=${-37} />`)}
+        ${n.home?d`<path class="home-arc" d=${O(n,n.home,F)} />`:e}
         <g data-shaft=${t} transform=${this.#s(n,this.#n.get(t)??n.shaft)}>
           <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
         </g>
-        ${N.map(e=>this.#f(t,n,e))}
+        ${R.map(e=>this.#f(t,n,e))}
         <text x=${92} y="4">${c(n.circumference)} a turn</text>
       </svg>
     `}#d(t,n,r,i){let a=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(a===null||!this.#g(t,r))return e;let o=i.x(this.#h(t,r)??a);return this.#p(t,r,`translate(${o} 62)`,e=>i.pulse(this.#m(e)),d`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${P[r]}</text>`,d`<text y="24">${c(a)}</text>`)}#f(t,n,r){let i=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(i===null||!this.#g(t,r))return e;let a=S(n,this.#h(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#p(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},d`<circle class="body" r="12" /><text y="4">${P[r]}</text>`,e)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return d`
+      <text y="4">${z[r]}</text>`,d`<text y="24">${c(a)}</text>`)}#f(t,n,r){let i=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(i===null||!this.#g(t,r))return e;let a=D(n,this.#h(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#p(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},d`<circle class="body" r="12" /><text y="4">${z[r]}</text>`,e)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return d`
       <g class="switch ${o?`on`:``} ${t===`home`?``:`limit`}" transform=${n} tabindex="0" role="button"
         aria-label="${t} switch of ${e}, ${o?`on`:`off`}" aria-pressed=${o?`true`:`false`}
         @pointerdown=${n=>this.#v(n,e,t,r(n))}
         @pointermove=${n=>this.#y(e,t,()=>r(n))}
         @pointerup=${()=>this.#x()} @pointercancel=${()=>this.#x()} @lostpointercapture=${()=>this.#x()}
         @keydown=${s} @keyup=${s} @blur=${()=>this.#x()}>
-        ${i} ${a}
+        <rect class="hit" x="-23" y="-20" width="46" height="46" />${i} ${a}
       </g>
-    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new v(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new v(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return u`
+    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new C(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new C(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return u`
       <div class="tools">
         <div class="load">
           <label for="load-${e}">Load</label>
-          <input id="load-${e}" type="range" min="0" max=${M} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
+          <input id="load-${e}" type="range" min="0" max=${L} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
             title="Part of the motor's pull-out torque; above 1 it stalls"
             @change=${t=>this.#C(e,Number(t.target.value))} />
           <output class=${t.load>1?`error-text`:``}>${Math.round(t.load*100)} %</output>
@@ -222,7 +249,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
         </form>
       </div>
-    `}#C(e,t){o(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;o(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,F);var I=60,L=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=0;#n=0;static styles=[i,n`
+    `}#C(e,t){o(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;o(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,B);var V=60,H=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=0;#n=0;static styles=[i,n`
       .tiles {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
@@ -314,7 +341,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         @pointerup=${s} @pointercancel=${s} @blur=${s} @contextmenu=${e=>e.preventDefault()}
         @keydown=${e=>{e.repeat||e.key!==` `&&e.key!==`Enter`||(e.preventDefault(),this.#c(t.name,!this.keep||!r?.pressed))}}
         @keyup=${s}>${a}</button>
-    `}#c(e,t){let n=this.#e.get(e)??new v(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#l(t){let n=this.live.status?.outputs[t.name],r=n===!0||typeof n==`number`&&n!==0,i=n!==void 0&&this.catalog.actions.includes(`output`);return u`
+    `}#c(e,t){let n=this.#e.get(e)??new C(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#l(t){let n=this.live.status?.outputs[t.name],r=n===!0||typeof n==`number`&&n!==0,i=n!==void 0&&this.catalog.actions.includes(`output`);return u`
       <button class="tile ${r?`on`:``}" role="switch" aria-checked=${r} ?disabled=${!this.usable||!i}
         title="${t.name}${t.role?`, ${t.role}`:``}: ${i?r?`on`:`off`:`cannot be set from here`}"
         @click=${()=>o(()=>this.api.act(this.device.name,{do:`output`,name:t.name,value:!r}))}>
@@ -329,13 +356,13 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
       <output>${c(r)} ${t.unit}</output>
       ${i?u`<button class="small plain" ?disabled=${!this.driven.has(t.name)} title="Give it back to the machine"
             aria-label="Give ${t.name} back to the machine" @click=${()=>this.#f(t.name)}>✕</button>`:u`<span></span>`}
-    `}#d(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),clearTimeout(this.#n);let n=()=>{this.#t=performance.now();let t=this.driven.get(e);t!==void 0&&o(()=>this.api.drivePin(this.device.name,e,t))},r=this.#t+I-performance.now();r<=0?n():this.#n=window.setTimeout(n,r)}#f(e){clearTimeout(this.#n);let t=new Map(this.driven);t.delete(e),this.driven=t,o(()=>this.api.releasePin(this.device.name,e))}#p(e){let t=this.live.status?.outputs[e.name],n=typeof t==`number`?t:null;return u`
+    `}#d(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),clearTimeout(this.#n);let n=()=>{this.#t=performance.now();let t=this.driven.get(e);t!==void 0&&o(()=>this.api.drivePin(this.device.name,e,t))},r=this.#t+V-performance.now();r<=0?n():this.#n=window.setTimeout(n,r)}#f(e){clearTimeout(this.#n);let t=new Map(this.driven);t.delete(e),this.driven=t,o(()=>this.api.releasePin(this.device.name,e))}#p(e){let t=this.live.status?.outputs[e.name],n=typeof t==`number`?t:null;return u`
       <span>${e.name} <small class="muted">${e.role}</small></span>
       <input type="range" min=${e.low??0} max=${e.high??100} step="1" aria-label=${e.name} ?disabled=${!this.usable}
         .value=${String(n??0)}
         @change=${t=>o(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:Number(t.target.value)}))} />
       <output>${c(n)} ${e.unit}</output><span></span>
-    `}};customElements.define(`pt-pins`,L);var R=class extends f{static styles=[i,n`
+    `}};customElements.define(`pt-pins`,H);var U=class extends f{static styles=[i,n`
       :host {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
@@ -353,5 +380,8 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
     `];render(){let t=this.device.kind===`virtual`;return u`
       ${t?u`<pt-machine class="wide" ${this.given()}></pt-machine>`:e}
       <pt-pins class=${t?``:`wide`} ${this.given()}></pt-pins>
-      ${t?u`<pt-faults ${this.given()}></pt-faults>`:e}
-    `}};customElements.define(`pt-io`,R);
+      ${t?u`<div class="stack">
+            <pt-faults ${this.given()}></pt-faults>
+            ${x(this.catalog)?u`<pt-hand-wheel ${this.given()}></pt-hand-wheel>`:e}
+          </div>`:e}
+    `}};customElements.define(`pt-io`,U);

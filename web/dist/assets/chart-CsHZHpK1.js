@@ -1,1 +1,0 @@
-import{b as e,d as t,v as n}from"./index-6YsHXptu.js";import"./curves-Dal025no.js";import{t as r}from"./tab-Bk1Yzmbc.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
