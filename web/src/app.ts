@@ -67,6 +67,8 @@ class App extends LitElement {
         height: 22px;
       }
       .crumb {
+        font-size: 14px;
+        font-weight: 400;
         overflow: hidden;
         color: var(--muted);
         text-overflow: ellipsis;
@@ -171,7 +173,7 @@ class App extends LitElement {
         <a class="brand" href=${routeTo(null)} aria-label="Pulsetrain, all controllers">
           <img src="/icon.svg" alt="" /><span>Pulsetrain</span>
         </a>
-        ${device ? html`<div class="crumb">/ <strong>${device}</strong></div>` : nothing}
+        ${device ? html`<h1 class="crumb">/ <strong>${device}</strong></h1>` : nothing}
         <div class="grow"></div>
         ${this.#leaseMine()}
         <select class="theme" aria-label="Colours" @change=${this.#pickTheme}>

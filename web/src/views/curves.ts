@@ -314,6 +314,8 @@ export class Curves extends Tab {
         pxAlign: 0,
         legend: { live: true },
         cursor: { drag: { x: true, y: false }, points: { size: 6 } },
+        // Who zooms wants to look at what there is.
+        hooks: { setSelect: [(plot) => void (plot.select.width > 0 && !this.paused && this.#pause(true))] },
         scales: {
           x: { time: false, auto: false },
           ...Object.fromEntries(scales.map((scale) => [scale, { range: padded }])),

@@ -1,4 +1,4 @@
-import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-Bk_ATE3D.js";import{t as f}from"./tab-bxRQRd0T.js";import{t as p}from"./axis-picker-6Ff5TvKk.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
+import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-P_pVa90D.js";import{t as f}from"./tab-C4d3jR-x.js";import{t as p}from"./axis-picker-BKd2hbcX.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));

@@ -1,1 +1,0 @@
-import{b as e,d as t,v as n}from"./index-Bk_ATE3D.js";import"./curves-Dk_yFJjw.js";import{t as r}from"./tab-bxRQRd0T.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
