@@ -5,10 +5,10 @@ mod catalog;
 mod models;
 
 use crate::http::Site;
-use axum::{Router, routing::get};
 use std::sync::Arc;
+use utoipa_axum::{router::OpenApiRouter, routes};
 
-/// The calls of the desk.
-pub(crate) fn routes() -> Router<Arc<Site>> {
-    Router::new().route("/api/models", get(models::list)).route("/api/models/{model}", get(models::one))
+/// The calls of the desk that nobody needs control for.
+pub(crate) fn free() -> OpenApiRouter<Arc<Site>> {
+    OpenApiRouter::new().routes(routes!(models::list)).routes(routes!(models::one))
 }

@@ -1,7 +1,7 @@
 //! What there is to choose from.
 
 use super::catalog::Catalog;
-use crate::http::{Answer, Failure, Place, Problem, at};
+use crate::http::{Answer, Failure, Place, at};
 use axum::Json;
 use devices::MODELS;
 use serde::Serialize;
@@ -17,22 +17,14 @@ pub(crate) struct ModelInfo {
     pub title: &'static str,
 }
 
-/// The models.
-#[utoipa::path(get, path = "/api/models", responses((status = 200, description = "The models", body = [ModelInfo])))]
+/// The models
+#[utoipa::path(get, path = "/api/models", tag = "models", responses((status = 200, body = [ModelInfo])))]
 pub(crate) async fn list() -> Json<Vec<ModelInfo>> {
     Json(MODELS.iter().map(|model| ModelInfo { model: model.name, title: model.title }).collect())
 }
 
-/// What a model can do.
-#[utoipa::path(
-    get,
-    path = "/api/models/{model}",
-    params(("model" = String, Path, description = "Its name")),
-    responses(
-        (status = 200, description = "Parameters, commands, pins and all else", body = Catalog),
-        (status = 404, description = "There is no such model", body = Problem)
-    )
-)]
+/// What a model can do
+#[utoipa::path(get, path = "/api/models/{model}", tag = "models", responses((status = 200, body = Catalog)))]
 pub(crate) async fn one(place: Place<String>) -> Answer<Json<Catalog>> {
     let name = at(place)?;
     let model = devices::model(&name)

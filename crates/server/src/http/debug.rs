@@ -8,25 +8,33 @@ use crate::breaks::{DebugState, Go, MAX_BREAKPOINTS};
 use axum::{Json, http::StatusCode};
 use serde::Deserialize;
 use std::collections::BTreeSet;
+use utoipa::ToSchema;
 
 /// Where programs are to be held.
-#[derive(Deserialize)]
-struct Breakpoints {
+#[derive(Deserialize, ToSchema)]
+pub struct Breakpoints {
     breakpoints: BTreeSet<u16>,
 }
 
 /// What is to happen next.
-#[derive(Deserialize)]
-struct Command {
+#[derive(Deserialize, ToSchema)]
+pub struct DebugCommand {
     r#do: Go,
 }
 
-/// `GET /api/devices/NAME/debug`
+/// Where programs are held
+#[utoipa::path(get, path = "/api/devices/{device}/debug", tag = "programs", responses((status = 200, body = DebugState)))]
 pub async fn state(site: Shared, place: Place<String>) -> Answer<Json<DebugState>> {
     Ok(Json(site.unit(&at(place)?)?.debug_state()))
 }
 
-/// `PUT /api/devices/NAME/debug`: the addresses at which programs are held, all of them.
+/// Set the addresses at which programs are held
+///
+/// All of them: others no longer count.
+#[utoipa::path(
+    put, path = "/api/devices/{device}/debug", tag = "programs",
+    request_body = Breakpoints, responses((status = 200, body = DebugState))
+)]
 pub async fn set(site: Shared, place: Place<String>, body: Body) -> Answer<Json<DebugState>> {
     let unit = site.unit(&at(place)?)?;
     let Breakpoints { breakpoints } = json(body)?;
@@ -38,9 +46,13 @@ pub async fn set(site: Shared, place: Place<String>, body: Body) -> Answer<Json<
     Ok(Json(unit.debug_state()))
 }
 
-/// `POST /api/devices/NAME/debug`: a step, or on.
+/// Go on after a breakpoint, or by a step
+#[utoipa::path(
+    post, path = "/api/devices/{device}/debug", tag = "programs",
+    request_body = DebugCommand, responses((status = 200, body = DebugState))
+)]
 pub async fn go(site: Shared, place: Place<String>, body: Body) -> Answer<Json<DebugState>> {
     let unit = site.unit(&at(place)?)?;
-    unit.debug(json::<Command>(body)?.r#do);
+    unit.debug(json::<DebugCommand>(body)?.r#do);
     Ok(Json(unit.debug_state()))
 }

@@ -26,9 +26,7 @@ impl Token {
     /// # Errors
     /// The system has none.
     pub fn random() -> Result<Self, getrandom::Error> {
-        let mut bytes = [0; TOKEN_BYTES];
-        getrandom::fill(&mut bytes)?;
-        Ok(Self(bytes.iter().map(|byte| format!("{byte:02x}")).collect()))
+        random().map(Self)
     }
 
     /// One that the user chose; `None` if it is empty or has characters that a URL would have to escape.
@@ -43,8 +41,23 @@ impl Token {
     }
 
     fn is(&self, shown: &str) -> bool {
-        self.0.as_bytes().ct_eq(shown.as_bytes()).into()
+        equal(&self.0, shown)
     }
+}
+
+/// A secret that nobody guesses.
+///
+/// # Errors
+/// The system has no random numbers.
+pub(super) fn random() -> Result<String, getrandom::Error> {
+    let mut bytes = [0; TOKEN_BYTES];
+    getrandom::fill(&mut bytes)?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+/// Whether a secret is the right one, in a time that says nothing of how much of it is.
+pub(super) fn equal(secret: &str, shown: &str) -> bool {
+    secret.as_bytes().ct_eq(shown.as_bytes()).into()
 }
 
 /// Lets a request through that comes for us, and not from somebody else's page.

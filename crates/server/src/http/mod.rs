@@ -1,8 +1,10 @@
 //! The page and the HTTP interface: the state of the devices, their pins, and the faults that one can give them.
 
+mod api;
 mod calls;
 mod debug;
 mod guard;
+mod lease;
 mod page;
 mod request;
 mod serve;
@@ -19,12 +21,14 @@ use axum::{
     http::{StatusCode, header},
     response::{IntoResponse, Response},
 };
+use lease::Control;
 use std::{net::SocketAddr, sync::Arc};
 
 /// What the calls need.
 pub(crate) struct Site {
     pub address: SocketAddr,
     pub token: Token,
+    pub control: Control,
     /// The devices, with the endpoints that each can be reached by.
     pub units: Vec<(Arc<Unit>, Vec<String>)>,
 }
@@ -34,11 +38,13 @@ pub(crate) struct Site {
 pub(crate) struct Failure {
     status: StatusCode,
     message: String,
+    /// Who has control, if that is why.
+    holder: Option<String>,
 }
 
 impl Failure {
     pub fn new(status: StatusCode, message: impl Into<String>) -> Self {
-        Self { status, message: message.into() }
+        Self { status, message: message.into(), holder: None }
     }
 
     /// There is no such thing; `known` are those that there are.
@@ -50,7 +56,7 @@ impl Failure {
 
 impl IntoResponse for Failure {
     fn into_response(self) -> Response {
-        let body = Json(Problem { error: self.message });
+        let body = Json(Problem { error: self.message, holder: self.holder });
         if self.status == StatusCode::UNAUTHORIZED {
             return (self.status, [(header::WWW_AUTHENTICATE, "Bearer")], body).into_response();
         }

@@ -31,6 +31,10 @@ pub(crate) type Answer<T> = Result<T, Failure>;
 pub(crate) struct Problem {
     /// Why, in a sentence.
     pub error: String,
+    /// Who has control, if that is why.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub holder: Option<String>,
 }
 
 /// The names in the path.

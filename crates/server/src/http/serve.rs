@@ -1,14 +1,8 @@
 //! The listener of the HTTP interface, with its limits.
 
-use super::{Failure, Site, Token, calls, debug, guard, page};
-use crate::{Error, desk, unit::Unit};
-use axum::{
-    Router,
-    extract::DefaultBodyLimit,
-    http::StatusCode,
-    middleware,
-    routing::{delete, get, post, put},
-};
+use super::{Site, Token, api, guard, page};
+use crate::{Error, unit::Unit};
+use axum::{Router, extract::DefaultBodyLimit, middleware};
 use std::{
     io,
     net::SocketAddr,
@@ -59,33 +53,16 @@ impl Http {
             listener: TcpListener::from_std(self.listener)?,
             permits: Arc::new(Semaphore::new(MAX_CONNECTIONS)),
         };
-        let site = Arc::new(Site { address: self.address, token, units });
+        let site = Arc::new(Site { address: self.address, token, control: Default::default(), units });
         axum::serve(listener, routes(site)).await
     }
 }
 
+/// What is served, behind all that a request has to pass, from the bottom up.
 fn routes(site: Arc<Site>) -> Router {
-    let device = Router::new()
-        .route("/", get(calls::device))
-        .route("/stream", get(calls::stream))
-        .route("/pins/{pin}", get(calls::read_pin).put(calls::drive_pin).delete(calls::release_pin))
-        .route("/axes/{axis}/load", put(calls::set_load))
-        .route("/axes/{axis}/push", post(calls::push))
-        .route("/axes/{axis}/lose", post(calls::lose))
-        .route("/faults", get(calls::faults).post(calls::add_fault).delete(calls::clear_faults))
-        .route("/faults/{id}", delete(calls::clear_fault))
-        .route("/debug", get(debug::state).put(debug::set).post(debug::go))
-        .route("/mpg/{axis}", post(calls::turn_pulser))
-        .route("/power-cycle", post(calls::power_cycle))
-        .route("/power-cut", post(calls::power_cut));
-    Router::new()
-        .merge(desk::routes())
-        .route("/api/devices", get(calls::devices))
-        .nest("/api/devices/{device}", device)
-        .fallback(async || Failure::new(StatusCode::NOT_FOUND, "there is nothing here"))
-        .method_not_allowed_fallback(async || {
-            Failure::new(StatusCode::METHOD_NOT_ALLOWED, "this path does not take that method")
-        })
+    api::routes(&site)
+        .fallback(api::nowhere)
+        .method_not_allowed_fallback(api::no_method)
         .layer(DefaultBodyLimit::max(MAX_BODY_BYTES))
         .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::token))
         .layer(middleware::from_fn(page::serve))

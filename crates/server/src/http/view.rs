@@ -3,9 +3,10 @@
 use crate::unit::Unit;
 use serde::Serialize;
 use sim::DeviceState;
+use utoipa::ToSchema;
 
 /// An entry of the list of devices.
-#[derive(Serialize)]
+#[derive(Serialize, ToSchema)]
 pub(super) struct Summary<'a> {
     name: &'a str,
     model: &'a str,
@@ -19,7 +20,7 @@ impl<'a> Summary<'a> {
 }
 
 /// Everything about a device that can be seen from outside.
-#[derive(Serialize)]
+#[derive(Serialize, ToSchema)]
 pub(super) struct View<'a> {
     #[serde(flatten)]
     summary: Summary<'a>,

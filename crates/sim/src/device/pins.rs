@@ -6,6 +6,7 @@ use std::{fmt, str::FromStr};
 
 /// What is on a pin.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(untagged, expecting = "a pin takes true, false or a number")]
 pub enum PinValue {
     /// A digital pin: whether it is on. A switch that is pressed is on.

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 
 /// A device at one moment.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct DeviceState {
     /// The axes by name.
     pub axes: BTreeMap<&'static str, AxisView>,
@@ -17,6 +18,7 @@ pub struct DeviceState {
 
 /// One axis at one moment.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct AxisView {
     /// Position counter in pulses.
     pub position: i32,
@@ -47,6 +49,7 @@ impl From<AxisState> for AxisView {
 
 /// One program at one moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct ProgramView {
     /// `idle`, `running`, `paused` or `error`.
     pub state: &'static str,

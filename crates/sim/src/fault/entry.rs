@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 /// A fault with everything that can be said of one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Entry {
     /// The device, by its name; in scenarios only.

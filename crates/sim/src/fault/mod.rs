@@ -100,11 +100,13 @@ pub enum FaultError {
 
 /// A fault of a device, as it stands.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct FaultView {
     /// Its number, which no other fault of the device has.
     pub id: u64,
     /// Whether it has begun.
     #[serde(rename = "state", serialize_with = "state")]
+    #[cfg_attr(feature = "openapi", schema(value_type = String, examples("waiting", "active")))]
     pub is_active: bool,
     /// What it is.
     #[serde(flatten)]

@@ -53,6 +53,7 @@ pub enum Trigger {
 
 /// What an axis does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Motion {
     /// It puts out pulses.
@@ -72,6 +73,7 @@ pub enum Place<'a> {
 
 /// An event as files and requests say it.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(deny_unknown_fields)]
 pub struct On {
     /// A pin, by its name.
