@@ -17,4 +17,6 @@ export const TABS: TabRow[] = [
   { id: "chart", title: "Chart", element: "pt-chart-tab", load: () => import("./chart.ts") },
   { id: "io", title: "I/O", element: "pt-io", load: () => import("./io.ts") },
   { id: "terminal", title: "Terminal", element: "pt-terminal", load: () => import("./terminal.ts") },
+  { id: "parameters", title: "Parameters", element: "pt-parameters", load: () => import("./parameters.ts") },
+  { id: "program", title: "Program", element: "pt-program", load: () => import("./program.ts") },
 ];

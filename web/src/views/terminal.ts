@@ -46,6 +46,10 @@ class Terminal extends Tab {
   static override styles = [
     base,
     css`
+      .row > select {
+        width: auto;
+        max-width: 100%;
+      }
       .columns {
         display: grid;
         grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
@@ -130,7 +134,8 @@ class Terminal extends Tab {
       .way {
         width: 42px;
       }
-      .filter {
+      input.filter {
+        width: auto;
         flex: 1 1 10em;
       }
       @media (max-width: 900px) {
@@ -251,7 +256,7 @@ class Terminal extends Tab {
               </p>`
             : this.exchanges.map((exchange) => this.#exchange(exchange))}
         </div>
-        <div id="help" class="help">${this.#help()}</div>
+        <div id="help" class="help" ?hidden=${this.typed === ""}>${this.#help()}</div>
         <form class="row line" @submit=${this.#send}>
           <input
             id="line"
