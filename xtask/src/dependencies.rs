@@ -85,6 +85,9 @@ pub fn check(workplace: &Workplace) -> Result<()> {
         // Only what is shipped has to be free of duplicates; all else holds for the fuzz targets too.
         all.extend(dependencies(&workplace.fuzz_manifest(), &rules.platforms)?);
     }
+    let page = page(&fs::read_to_string(workplace.root.join("web/package-lock.json"))?)?;
+    println!("{} packages are in the page", page.len());
+    all.extend(page);
     all.sort_by(|a, b| (&a.name, &a.version).cmp(&(&b.name, &b.version)));
     all.dedup_by(|a, b| a.name == b.name && a.version == b.version);
     for dependency in &all {
@@ -142,6 +145,32 @@ fn dependencies(manifest: &Path, platforms: &[String]) -> Result<Vec<Dependency>
     let resolved = metadata.resolve.as_ref().context("cargo metadata gave no resolved graph")?;
     let reached: BTreeSet<_> = resolved.nodes.iter().map(|node| &node.id).collect();
     Ok(metadata.packages.iter().filter(|package| reached.contains(&package.id)).map(Dependency::of).collect())
+}
+
+/// What the page is made of, from npm's lock file. The tools that build it are not in it.
+fn page(lock: &str) -> Result<Vec<Dependency>> {
+    #[derive(Deserialize)]
+    struct Lock {
+        packages: BTreeMap<String, Locked>,
+    }
+    #[derive(Deserialize)]
+    struct Locked {
+        version: Option<Version>,
+        license: Option<String>,
+        #[serde(default)]
+        dev: bool,
+    }
+    let lock: Lock = serde_json::from_str(lock).context("web/package-lock.json")?;
+    // Without a folder it is the page itself.
+    let named = lock.packages.into_iter().filter_map(|(folder, package)| {
+        let name = folder.rsplit_once("node_modules/")?.1.to_owned();
+        (!package.dev).then_some((name, package))
+    });
+    let all = named.map(|(name, Locked { version, license: licence, .. })| {
+        let version = version.with_context(|| format!("{name} has no version"))?;
+        Ok(Dependency { name, version, licence, source: None })
+    });
+    all.collect()
 }
 
 impl Dependency {
@@ -242,6 +271,19 @@ mod tests {
         check_licence("a", "", false);
         check_licence("odd", "(MIT OR Apache-2.0) AND NCSA", true);
         check_licence("a", "(MIT OR Apache-2.0) AND NCSA", false);
+    }
+
+    #[test]
+    fn the_page_has_what_is_no_tool() {
+        let lock = r#"{ "packages": {
+            "": { "version": "0.0.0", "license": "MIT" },
+            "node_modules/@a/b": { "version": "1.2.3", "license": "ISC" },
+            "node_modules/@a/b/node_modules/c": { "version": "2.0.0" },
+            "node_modules/tool": { "version": "3.0.0", "dev": true }
+        } }"#;
+        let all = page(lock).unwrap();
+        let names: Vec<_> = all.iter().map(|one| (one.name.as_str(), one.licence.as_deref())).collect();
+        assert_eq!(names, [("@a/b", Some("ISC")), ("c", None)]);
     }
 
     #[track_caller]

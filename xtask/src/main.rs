@@ -7,6 +7,7 @@ mod dependencies;
 mod documents;
 mod firmware;
 mod fuzz;
+mod page;
 mod rust;
 mod steps;
 mod tools;

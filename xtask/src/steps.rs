@@ -1,6 +1,6 @@
 //! `cargo xtask test`: the list of steps, and how it is walked.
 
-use crate::{clients, dependencies, documents, firmware, fuzz, rust, workplace::Workplace};
+use crate::{clients, dependencies, documents, firmware, fuzz, page, rust, workplace::Workplace};
 use anyhow::{Result, bail};
 use std::{
     process::ExitCode,
@@ -33,6 +33,11 @@ const STEPS: &[Step] = &[
         name: "clients",
         about: "unmodified third-party clients against the program",
         run: clients::check,
+    },
+    Step {
+        name: "page",
+        about: "the page: types, tests, what is committed, its size, a browser",
+        run: page::check,
     },
     Step {
         name: "firmware",

@@ -8,6 +8,9 @@ use std::{fs, path::PathBuf, process::Command};
 const NEXTEST: &str = "0.9.143";
 const CARGO_FUZZ: &str = "0.13.2";
 
+/// The oldest Node, as `web/package.json` says.
+const NODE: (u32, u32) = (20, 19);
+
 /// `cargo nextest`.
 pub fn nextest(workplace: &Workplace) -> Result<()> {
     cargo_tool(workplace, "nextest", "cargo-nextest", NEXTEST)
@@ -27,6 +30,36 @@ pub fn qemu(workplace: &Workplace) -> Result<()> {
         return Ok(());
     }
     debian_package(workplace, "qemu-system-arm", "the command qemu-system-arm")
+}
+
+/// Node with npm, for the page alone.
+pub fn node(workplace: &Workplace) -> Result<()> {
+    let version = |workplace: &Workplace| read(&mut workplace.command("node", &["--version"]));
+    if !version(workplace).is_ok_and(|version| is_new_enough(&version))
+        || !succeeds(&mut workplace.command("npm", &["--version"]))
+    {
+        debian_package(workplace, "npm", "Node with npm")?;
+    }
+    let version = version(workplace)?;
+    if !is_new_enough(&version) {
+        bail!("the page needs Node {}.{} or newer, this is {}", NODE.0, NODE.1, version.trim());
+    }
+    Ok(())
+}
+
+/// Whether `v20.19.1` and the like are [`NODE`] at least.
+fn is_new_enough(version: &str) -> bool {
+    let mut numbers = version.trim().trim_start_matches('v').split('.').map(str::parse);
+    matches!((numbers.next(), numbers.next()), (Some(Ok(major)), Some(Ok(minor))) if (major, minor) >= NODE)
+}
+
+/// A browser, the one that Debian has.
+pub fn chromium(workplace: &Workplace) -> Result<PathBuf> {
+    let path = PathBuf::from("/usr/bin/chromium");
+    if !path.exists() {
+        debian_package(workplace, "chromium", "the browser chromium")?;
+    }
+    Ok(path)
 }
 
 /// The name of an installed nightly toolchain.
@@ -100,4 +133,18 @@ fn apt_get(workplace: &Workplace, arguments: &[&str]) -> Result<Command> {
     };
     let words = [sudo, &["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"], arguments].concat();
     Ok(workplace.command(words[0], &words[1..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_of_node() {
+        for (version, expected) in
+            [("v20.19.0\n", true), ("v22.0.0", true), ("v20.18.9", false), ("v18.20.4", false), ("", false)]
+        {
+            assert_eq!(is_new_enough(version), expected, "{version}");
+        }
+    }
 }
