@@ -8,7 +8,7 @@ import { type Route, parseRoute, routeTo } from "./state/route.ts";
 import { type Theme, setTheme, theme } from "./state/theme.ts";
 import { base } from "./ui/styles.ts";
 import { attempt, say } from "./ui/toast.ts";
-import "./ui/dialog.ts";
+import { STOP } from "./ui/dialog.ts";
 import "./views/controller.ts";
 import "./views/overview.ts";
 
@@ -134,6 +134,7 @@ class App extends LitElement {
     window.addEventListener("hashchange", () => {
       this.route = parseRoute(location.hash);
     });
+    window.addEventListener(STOP, () => void this.#stop());
     // Whatever has the focus and whatever else Escape closes: it stops.
     window.addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !event.repeat) void this.#stop();

@@ -3,6 +3,9 @@
 import { LitElement, css, html, render } from "lit";
 import { base } from "./styles.ts";
 
+/** The window's event that asks for a stop: what lies below a dialog cannot be clicked. */
+export const STOP = "stop-motion";
+
 /** `<pt-dialog heading="..." open>` with its content in the default slot and its buttons in slot `actions`. */
 class Dialog extends LitElement {
   static override properties = {
@@ -77,6 +80,7 @@ class Dialog extends LitElement {
       <dialog aria-labelledby="heading" @close=${this.#closed}>
         <header>
           <h2 id="heading">${this.heading}</h2>
+          <button class="stop small" type="button" @click=${() => window.dispatchEvent(new Event(STOP))}>■ STOP</button>
           <button class="plain small" aria-label="Close" @click=${() => (this.open = false)}>✕</button>
         </header>
         <div class="body"><slot></slot></div>

@@ -116,6 +116,15 @@ export const base = css`
     width: 100%;
     min-width: 0;
   }
+  input::file-selector-button {
+    margin-right: 8px;
+    padding: 3px 9px;
+    border: 1px solid var(--strong-line);
+    border-radius: 4px;
+    background: var(--raised);
+    color: var(--text);
+    font: inherit;
+  }
   input.number {
     text-align: right;
   }

@@ -4,6 +4,7 @@ import { css, html, nothing } from "lit";
 import { base } from "../ui/styles.ts";
 import "./faults.ts";
 import { hasHandWheel } from "./hand-wheel.ts";
+import { stick } from "./joystick.ts";
 import "./machine.ts";
 import "./pins.ts";
 import { Tab } from "./tab.ts";
@@ -37,6 +38,7 @@ class InputsOutputs extends Tab {
       ${isVirtual
         ? html`<div class="stack">
             <pt-faults ${this.given()}></pt-faults>
+            ${stick(this.catalog).length > 0 ? html`<pt-joystick ${this.given()}></pt-joystick>` : nothing}
             ${hasHandWheel(this.catalog) ? html`<pt-hand-wheel ${this.given()}></pt-hand-wheel>` : nothing}
           </div>`
         : nothing}

@@ -177,8 +177,10 @@ class Overview extends LitElement {
           ? html`<input type="search" aria-label="Find a controller" placeholder="Find…"
               @input=${(event: InputEvent) => (this.filter = (event.target as HTMLInputElement).value)} />`
           : nothing}
-        <button @click=${() => (this.adding = "bench")}>Add virtual…</button>
-        <button @click=${() => (this.adding = "real")}>Connect real…</button>
+        <div class="row">
+          <button @click=${() => (this.adding = "bench")}>Add virtual…</button>
+          <button @click=${() => (this.adding = "real")}>Connect real…</button>
+        </div>
       </div>
       ${this.problem ? html`<p class="panel error-text" role="alert">${this.problem}</p>` : nothing}
       <ul class="cards">

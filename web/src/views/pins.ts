@@ -4,12 +4,10 @@ import { css, html, nothing } from "lit";
 import type { PinInfo } from "../api/contract.ts";
 import { count } from "../state/format.ts";
 import { Press } from "../state/press.ts";
+import { Slide } from "../state/slide.ts";
 import { base } from "../ui/styles.ts";
 import { attempt } from "../ui/toast.ts";
 import { Tab } from "./tab.ts";
-
-/** Between two positions of a slider that go to the server. */
-const SLIDE_MS = 60;
 
 class Pins extends Tab {
   static override properties = { ...Tab.properties, keep: { state: true }, driven: { state: true } };
@@ -20,8 +18,7 @@ class Pins extends Tab {
   protected override readonly watches = ["status"] as const;
 
   readonly #presses = new Map<string, Press>();
-  #slideAt = 0;
-  #slideTimer = 0;
+  readonly #slides = new Map<string, Slide>();
 
   static override styles = [
     base,
@@ -231,14 +228,12 @@ class Pins extends Tab {
     const read = this.live.status?.inputs[pin.name];
     const shown = typeof read === "number" ? read : (this.driven.get(pin.name) ?? null);
     const slides = this.#isVirtual && pin.low !== null && pin.high !== null;
-    const springs = pin.role === "joystick";
     return html`
       <span>${pin.name} <small class="muted">${pin.role}</small></span>
       ${slides
         ? html`<input type="range" min=${pin.low!} max=${pin.high!} step="any" ?disabled=${!this.usable}
             aria-label="${pin.name}${pin.role ? `, ${pin.role}` : ""}" .value=${String(this.driven.get(pin.name) ?? shown ?? pin.low)}
-            @input=${(event: Event) => this.#slide(pin.name, Number((event.target as HTMLInputElement).value))}
-            @change=${() => (springs && !this.keep ? this.#release(pin.name) : nothing)} />`
+            @input=${(event: Event) => this.#slide(pin.name, Number((event.target as HTMLInputElement).value))} />`
         : html`<span></span>`}
       <output>${count(shown)} ${pin.unit}</output>
       ${slides
@@ -250,23 +245,20 @@ class Pins extends Tab {
 
   #slide(pin: string, value: number): void {
     this.driven = new Map(this.driven).set(pin, Math.round(value));
-    clearTimeout(this.#slideTimer);
-    const send = () => {
-      this.#slideAt = performance.now();
-      const newest = this.driven.get(pin);
-      if (newest !== undefined) void attempt(() => this.api.drivePin(this.device.name, pin, newest));
-    };
-    const wait = this.#slideAt + SLIDE_MS - performance.now();
-    if (wait <= 0) send();
-    else this.#slideTimer = window.setTimeout(send, wait);
+    this.#slider(pin).set(value);
   }
 
   #release(pin: string): void {
-    clearTimeout(this.#slideTimer);
     const driven = new Map(this.driven);
     driven.delete(pin);
     this.driven = driven;
-    void attempt(() => this.api.releasePin(this.device.name, pin));
+    this.#slider(pin).set(null);
+  }
+
+  #slider(pin: string): Slide {
+    const slide = this.#slides.get(pin) ?? new Slide(this.api, this.device.name, pin);
+    this.#slides.set(pin, slide);
+    return slide;
   }
 
   #analogOutput(pin: PinInfo) {

@@ -1,4 +1,4 @@
-import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-P_pVa90D.js";import{t as f}from"./tab-C4d3jR-x.js";import{t as p}from"./axis-picker-BKd2hbcX.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
+import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v as u,y as d}from"./index-CEgvhO5r.js";import{t as f}from"./tab-BKgwcDjR.js";import{t as p}from"./axis-picker-ChV81jjI.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,n`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -72,7 +72,40 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
             ${e>0?`+${e}`:`−${-e}`}</button>`)}
         </div>
       </section>
-    `}#e(e){o(()=>this.api.turnPulser(this.device.name,this.axis,e))}};customElements.define(`pt-hand-wheel`,S);var C=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>o(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},w=30,T=1e4;function E(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/T)*T;n.push(t-T,t+T)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:w,low:r,high:i,perPulse:a,x:e=>w+(e-r)*a,pulse:e=>r+(e-w)/a}}function D(e,t){let n=e.circumference;return(t%n+n)%n/n}function O(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=D(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function k(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(D(e,n)-D(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var A=80,j=.35,M=88,N=38,P=172,F=48,I=5,L=1.5,R=[`negative limit`,`home`,`positive limit`],z={"negative limit":`−L`,home:`H`,"positive limit":`+L`},B=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,n`
+    `}#e(e){o(()=>this.api.turnPulser(this.device.name,this.axis,e))}};customElements.define(`pt-hand-wheel`,S);var C=60,w=class{#e;#t;#n;#r=null;#i=!1;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}set(e){this.#r=e===null?null:Math.round(e),this.#i||this.#a()}async#a(){this.#i=!0;let e;for(;e!==this.#r;){e=this.#r;let t=e;if(!await o(()=>t===null?this.#e.releasePin(this.#t,this.#n):this.#e.drivePin(this.#t,this.#n,t)))break;await new Promise(e=>window.setTimeout(e,C))}this.#i=!1}},T=56,E={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]};function D(e){return e.pins.filter(({kind:e,role:t,low:n,high:r})=>e===`analog`&&t===`joystick`&&n!==null&&r!==null).slice(0,2)}var O=class extends f{static properties={...f.properties,at:{state:!0}};#e=[];#t=!1;static styles=[i,n`
+      svg {
+        display: block;
+        margin: 0 auto;
+        touch-action: none;
+        cursor: grab;
+      }
+      .field {
+        fill: var(--raised);
+        stroke: var(--strong-line);
+      }
+      .cross {
+        stroke: var(--line);
+      }
+      .stick {
+        fill: var(--accent);
+      }
+      p {
+        font-size: 13px;
+      }
+    `];constructor(){super(),this.at=[0,0]}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.#e=D(this.catalog).map(({name:e})=>new w(this.api,this.device.name,e)))}disconnectedCallback(){super.disconnectedCallback(),this.#o()}render(){let e=D(this.catalog),[t,n]=this.at;return u`
+      <section class="panel stack" aria-label="Joystick">
+        <h2>Joystick</h2>
+        <p class="muted">${e.map(({name:e,axis:t})=>`${e}${t?` for ${t}`:``}`).join(`, `)}. It springs back; arrow keys bend it.</p>
+        <svg width="150" height="150" viewBox="-75 -75 150 150" tabindex="0" role="application"
+          aria-label="Joystick of ${e.map(({name:e})=>e).join(` and `)}"
+          @pointerdown=${this.#n} @pointermove=${this.#r} @pointerup=${this.#o} @pointercancel=${this.#o}
+          @keydown=${this.#i} @keyup=${this.#o} @blur=${this.#o}>
+          <circle class="field" r="72" />
+          <line class="cross" x1="-72" x2="72" /><line class="cross" y1="-72" y2="72" />
+          <circle class="stick" r="15" cx=${t*T} cy=${-n*T} />
+        </svg>
+      </section>
+    `}#n(e){e.button===0&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.#t=!0,this.#r(e))}#r(e){if(!this.#t)return;let t=e.currentTarget.getBoundingClientRect(),n=(e.clientX-t.x-t.width/2)/T,r=-(e.clientY-t.y-t.height/2)/T,i=Math.max(1,Math.hypot(n,r));this.#a([n/i,r/i])}#i(e){let t=E[e.key];t&&this.usable&&(e.preventDefault(),this.#t=!0,e.repeat||this.#a(t))}#a(e){this.at=e,D(this.catalog).forEach(({low:t,high:n},r)=>{this.#e[r].set((t+n)/2+e[r]*(n-t)/2)})}#o(){if(this.#t){this.#t=!1,this.at=[0,0];for(let e of this.#e)e.set(null)}}};customElements.define(`pt-joystick`,O);var k=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>o(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},A=30,j=1e4;function M(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/j)*j;n.push(t-j,t+j)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:A,low:r,high:i,perPulse:a,x:e=>A+(e-r)*a,pulse:e=>r+(e-A)/a}}function N(e,t){let n=e.circumference;return(t%n+n)%n/n}function P(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=N(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function F(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(N(e,n)-N(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var I=80,L=.35,R=88,z=38,B=172,V=48,H=5,U=1.5,W=[`negative limit`,`home`,`positive limit`],G={"negative limit":`−L`,home:`H`,"positive limit":`+L`},K=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,n`
       .axis + .axis {
         margin-top: 10px;
         padding-top: 10px;
@@ -180,7 +213,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           grid-template-columns: 1fr;
         }
       }
-    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:A))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(k(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*j;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${E(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(D(e,t)*360).toFixed(2)})`}render(){return this.machine?u`
+    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=a(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:I))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(F(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*L;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${M(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(N(e,t)*360).toFixed(2)})`}render(){return this.machine?u`
       <section class="panel stack" aria-label="Machine">
         <div class="row"><h2>Machine</h2>
           <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
@@ -197,10 +230,10 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         </div>
       </section>
     `:u`<section class="panel"><h2>Machine</h2>
-        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(t,n){let r=E(n,this.width),i=n.backlash*r.perPulse;return u`
-      <svg viewBox="0 0 ${this.width} ${M}" height=${M} role="group"
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(t,n){let r=M(n,this.width),i=n.backlash*r.perPulse;return u`
+      <svg viewBox="0 0 ${this.width} ${R}" height=${R} role="group"
         aria-label="Stage of axis ${t}, from ${n.negative_limit??`no limit`} to ${n.positive_limit??`no limit`}">
-        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${N} y2=${N} />
+        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${z} y2=${z} />
         ${this.#l(n,r)}
         ${n.home?d`<rect class="home" x=${r.x(n.home[0])} y=${35} height="6" rx="1"
               width=${Math.max(3,r.x(n.home[1])-r.x(n.home[0]))} />`:e}
@@ -209,23 +242,23 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
           <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
         </g>
-        ${R.map(e=>this.#d(t,n,e,r))}
+        ${W.map(e=>this.#d(t,n,e,r))}
       </svg>
-    `}#l(t,n){let r=t.index_every;if(!r||r*n.perPulse<I)return r?d`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(r)}</text>`:e;let i=Math.ceil(n.low/r),a=Math.floor(n.high/r)-i+1;return Array.from({length:a},(e,t)=>{let a=n.x((i+t)*r);return d`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(t,n){let{width:r}=this,i=n.index_every??0,a=i>0?Math.min(360,Math.floor(n.circumference/i)):0;return u`
-      <svg viewBox="${-r/2} ${-86} ${r} ${P}" height=${P} role="group"
+    `}#l(t,n){let r=t.index_every;if(!r||r*n.perPulse<H)return r?d`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(r)}</text>`:e;let i=Math.ceil(n.low/r),a=Math.floor(n.high/r)-i+1;return Array.from({length:a},(e,t)=>{let a=n.x((i+t)*r);return d`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(t,n){let{width:r}=this,i=n.index_every??0,a=i>0?Math.min(360,Math.floor(n.circumference/i)):0;return u`
+      <svg viewBox="${-r/2} ${-86} ${r} ${B}" height=${B} role="group"
         aria-label="Shaft of axis ${t}, ${n.circumference} to the turn">
-        <circle class="rail" r=${F} />
-        ${Array.from({length:a},(e,t)=>d`<line class="mark" transform="rotate(${D(n,t*i)*360})" y1=${-43} y2=${-37} />`)}
-        ${n.home?d`<path class="home-arc" d=${O(n,n.home,F)} />`:e}
+        <circle class="rail" r=${V} />
+        ${Array.from({length:a},(e,t)=>d`<line class="mark" transform="rotate(${N(n,t*i)*360})" y1=${-43} y2=${-37} />`)}
+        ${n.home?d`<path class="home-arc" d=${P(n,n.home,V)} />`:e}
         <g data-shaft=${t} transform=${this.#s(n,this.#n.get(t)??n.shaft)}>
           <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
         </g>
-        ${R.map(e=>this.#f(t,n,e))}
+        ${W.map(e=>this.#f(t,n,e))}
         <text x=${92} y="4">${c(n.circumference)} a turn</text>
       </svg>
     `}#d(t,n,r,i){let a=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(a===null||!this.#g(t,r))return e;let o=i.x(this.#h(t,r)??a);return this.#p(t,r,`translate(${o} 62)`,e=>i.pulse(this.#m(e)),d`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${z[r]}</text>`,d`<text y="24">${c(a)}</text>`)}#f(t,n,r){let i=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(i===null||!this.#g(t,r))return e;let a=D(n,this.#h(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#p(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},d`<circle class="body" r="12" /><text y="4">${z[r]}</text>`,e)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return d`
+      <text y="4">${G[r]}</text>`,d`<text y="24">${c(a)}</text>`)}#f(t,n,r){let i=r===`home`?n.home&&(n.home[0]+n.home[1])/2:r===`positive limit`?n.positive_limit:n.negative_limit;if(i===null||!this.#g(t,r))return e;let a=N(n,this.#h(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#p(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},d`<circle class="body" r="12" /><text y="4">${G[r]}</text>`,e)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return d`
       <g class="switch ${o?`on`:``} ${t===`home`?``:`limit`}" transform=${n} tabindex="0" role="button"
         aria-label="${t} switch of ${e}, ${o?`on`:`off`}" aria-pressed=${o?`true`:`false`}
         @pointerdown=${n=>this.#v(n,e,t,r(n))}
@@ -234,11 +267,11 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
         @keydown=${s} @keyup=${s} @blur=${()=>this.#x()}>
         <rect class="hit" x="-23" y="-20" width="46" height="46" />${i} ${a}
       </g>
-    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new C(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new C(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return u`
+    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new k(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new k(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return u`
       <div class="tools">
         <div class="load">
           <label for="load-${e}">Load</label>
-          <input id="load-${e}" type="range" min="0" max=${L} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
+          <input id="load-${e}" type="range" min="0" max=${U} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
             title="Part of the motor's pull-out torque; above 1 it stalls"
             @change=${t=>this.#C(e,Number(t.target.value))} />
           <output class=${t.load>1?`error-text`:``}>${Math.round(t.load*100)} %</output>
@@ -249,7 +282,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
           <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
         </form>
       </div>
-    `}#C(e,t){o(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;o(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,B);var V=60,H=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=0;#n=0;static styles=[i,n`
+    `}#C(e,t){o(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;o(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,K);var q=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[i,n`
       .tiles {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
@@ -317,52 +350,51 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
       .sub {
         margin: 2px 0 4px;
       }
-    `];constructor(){super(),this.keep=!1,this.driven=new Map}disconnectedCallback(){super.disconnectedCallback();for(let e of this.#e.values())e.set(!1)}get#r(){return this.device.kind===`virtual`}render(){let{pins:t}=this.catalog,n=this.live.status?.outputs??{},r=e=>e.kind===`output`||e.kind===`port`&&e.name in n,i=t.filter(e=>[`input`,`index`,`port`].includes(e.kind)&&!r(e)),a=t.filter(e=>e.kind===`analog`),o=t.filter(e=>e.kind===`analog_output`);return u`
+    `];constructor(){super(),this.keep=!1,this.driven=new Map}disconnectedCallback(){super.disconnectedCallback();for(let e of this.#e.values())e.set(!1)}get#n(){return this.device.kind===`virtual`}render(){let{pins:t}=this.catalog,n=this.live.status?.outputs??{},r=e=>e.kind===`output`||e.kind===`port`&&e.name in n,i=t.filter(e=>[`input`,`index`,`port`].includes(e.kind)&&!r(e)),a=t.filter(e=>e.kind===`analog`),o=t.filter(e=>e.kind===`analog_output`);return u`
       <section class="panel stack" aria-label="Inputs and outputs">
         <div class="row"><h2 class="grow">Inputs</h2>
-          ${this.#r?u`<label class="line" title="A click presses, another one lets go">
+          ${this.#n?u`<label class="line" title="A click presses, another one lets go">
                 <input type="checkbox" .checked=${this.keep} @change=${e=>this.keep=e.target.checked} />
                 keep pressed</label>`:e}
         </div>
-        ${this.#i(i)}
+        ${this.#r(i)}
         <h2>Outputs</h2>
-        <div class="tiles">${t.filter(r).map(e=>this.#l(e))}</div>
+        <div class="tiles">${t.filter(r).map(e=>this.#c(e))}</div>
         ${a.length+o.length>0?u`<h2>Analog</h2>
-              <div class="analog">${a.map(e=>this.#u(e))} ${o.map(e=>this.#p(e))}</div>`:e}
+              <div class="analog">${a.map(e=>this.#l(e))} ${o.map(e=>this.#p(e))}</div>`:e}
       </section>
-    `}#i(t){return[null,...this.catalog.axes].map(n=>{let r=t.filter(e=>this.#a(e)===n);return r.length===0?e:u`
+    `}#r(t){return[null,...this.catalog.axes].map(n=>{let r=t.filter(e=>this.#i(e)===n);return r.length===0?e:u`
         <div>
           ${n===null?e:u`<h3 class="sub">Axis ${n}</h3>`}
-          <div class="tiles">${r.map(e=>this.#s(e))}</div>
+          <div class="tiles">${r.map(e=>this.#o(e))}</div>
         </div>
-      `})}#a({axis:e,name:t,kind:n}){if(e!==null)return e;let r=t.at(-1)??``;return n===`input`&&/[A-Z]/.test(r)&&t.length>3&&this.catalog.axes.includes(r)?r:null}#o(e){let t=this.live.status?.inputs[e.name];if(t!==void 0)return t===!0||typeof t==`number`&&t!==0;let n=e.axis===null?void 0:this.live.status?.axes[e.axis];if(!n)return null;switch(e.role){case`negative limit`:return n.negative_limit;case`positive limit`:return n.positive_limit;case`home`:return n.home;case`index`:return n.index;default:return null}}#s(t){let n=this.#o(t),r=this.#e.get(t.name),i=`${t.name}${t.role?`, ${t.role}`:``}${n===null?``:n?`, on`:`, off`}`,a=u`<i></i><span>${t.name} ${t.role?u`<small>${t.role}</small>`:e}</span>`,o=`tile ${n?`on`:``} ${r?.pressed?`driven`:``}`;if(!this.#r)return u`<div class=${o} role="img" aria-label=${i} title=${i}>${a}</div>`;let s=()=>{this.keep||this.#c(t.name,!1)};return u`
+      `})}#i({axis:e,name:t,kind:n}){if(e!==null)return e;let r=t.at(-1)??``;return n===`input`&&/[A-Z]/.test(r)&&t.length>3&&this.catalog.axes.includes(r)?r:null}#a(e){let t=this.live.status?.inputs[e.name];if(t!==void 0)return t===!0||typeof t==`number`&&t!==0;let n=e.axis===null?void 0:this.live.status?.axes[e.axis];if(!n)return null;switch(e.role){case`negative limit`:return n.negative_limit;case`positive limit`:return n.positive_limit;case`home`:return n.home;case`index`:return n.index;default:return null}}#o(t){let n=this.#a(t),r=this.#e.get(t.name),i=`${t.name}${t.role?`, ${t.role}`:``}${n===null?``:n?`, on`:`, off`}`,a=u`<i></i><span>${t.name} ${t.role?u`<small>${t.role}</small>`:e}</span>`,o=`tile ${n?`on`:``} ${r?.pressed?`driven`:``}`;if(!this.#n)return u`<div class=${o} role="img" aria-label=${i} title=${i}>${a}</div>`;let s=()=>{this.keep||this.#s(t.name,!1)};return u`
       <button class=${o} title=${i} aria-label=${i} aria-pressed=${r?.pressed??!1} ?disabled=${!this.usable}
-        @pointerdown=${e=>{e.button===0&&(this.keep||e.currentTarget.setPointerCapture(e.pointerId),this.#c(t.name,!this.keep||!r?.pressed))}}
+        @pointerdown=${e=>{e.button===0&&(this.keep||e.currentTarget.setPointerCapture(e.pointerId),this.#s(t.name,!this.keep||!r?.pressed))}}
         @pointerup=${s} @pointercancel=${s} @blur=${s} @contextmenu=${e=>e.preventDefault()}
-        @keydown=${e=>{e.repeat||e.key!==` `&&e.key!==`Enter`||(e.preventDefault(),this.#c(t.name,!this.keep||!r?.pressed))}}
+        @keydown=${e=>{e.repeat||e.key!==` `&&e.key!==`Enter`||(e.preventDefault(),this.#s(t.name,!this.keep||!r?.pressed))}}
         @keyup=${s}>${a}</button>
-    `}#c(e,t){let n=this.#e.get(e)??new C(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#l(t){let n=this.live.status?.outputs[t.name],r=n===!0||typeof n==`number`&&n!==0,i=n!==void 0&&this.catalog.actions.includes(`output`);return u`
+    `}#s(e,t){let n=this.#e.get(e)??new k(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#c(t){let n=this.live.status?.outputs[t.name],r=n===!0||typeof n==`number`&&n!==0,i=n!==void 0&&this.catalog.actions.includes(`output`);return u`
       <button class="tile ${r?`on`:``}" role="switch" aria-checked=${r} ?disabled=${!this.usable||!i}
         title="${t.name}${t.role?`, ${t.role}`:``}: ${i?r?`on`:`off`:`cannot be set from here`}"
         @click=${()=>o(()=>this.api.act(this.device.name,{do:`output`,name:t.name,value:!r}))}>
         <i></i><span>${t.name} ${t.role?u`<small>${t.role}</small>`:e}</span>
       </button>
-    `}#u(t){let n=this.live.status?.inputs[t.name],r=typeof n==`number`?n:this.driven.get(t.name)??null,i=this.#r&&t.low!==null&&t.high!==null,a=t.role===`joystick`;return u`
-      <span>${t.name} <small class="muted">${t.role}</small></span>
-      ${i?u`<input type="range" min=${t.low} max=${t.high} step="any" ?disabled=${!this.usable}
-            aria-label="${t.name}${t.role?`, ${t.role}`:``}" .value=${String(this.driven.get(t.name)??r??t.low)}
-            @input=${e=>this.#d(t.name,Number(e.target.value))}
-            @change=${()=>a&&!this.keep?this.#f(t.name):e} />`:u`<span></span>`}
-      <output>${c(r)} ${t.unit}</output>
-      ${i?u`<button class="small plain" ?disabled=${!this.driven.has(t.name)} title="Give it back to the machine"
-            aria-label="Give ${t.name} back to the machine" @click=${()=>this.#f(t.name)}>✕</button>`:u`<span></span>`}
-    `}#d(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),clearTimeout(this.#n);let n=()=>{this.#t=performance.now();let t=this.driven.get(e);t!==void 0&&o(()=>this.api.drivePin(this.device.name,e,t))},r=this.#t+V-performance.now();r<=0?n():this.#n=window.setTimeout(n,r)}#f(e){clearTimeout(this.#n);let t=new Map(this.driven);t.delete(e),this.driven=t,o(()=>this.api.releasePin(this.device.name,e))}#p(e){let t=this.live.status?.outputs[e.name],n=typeof t==`number`?t:null;return u`
+    `}#l(e){let t=this.live.status?.inputs[e.name],n=typeof t==`number`?t:this.driven.get(e.name)??null,r=this.#n&&e.low!==null&&e.high!==null;return u`
+      <span>${e.name} <small class="muted">${e.role}</small></span>
+      ${r?u`<input type="range" min=${e.low} max=${e.high} step="any" ?disabled=${!this.usable}
+            aria-label="${e.name}${e.role?`, ${e.role}`:``}" .value=${String(this.driven.get(e.name)??n??e.low)}
+            @input=${t=>this.#u(e.name,Number(t.target.value))} />`:u`<span></span>`}
+      <output>${c(n)} ${e.unit}</output>
+      ${r?u`<button class="small plain" ?disabled=${!this.driven.has(e.name)} title="Give it back to the machine"
+            aria-label="Give ${e.name} back to the machine" @click=${()=>this.#d(e.name)}>✕</button>`:u`<span></span>`}
+    `}#u(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),this.#f(e).set(t)}#d(e){let t=new Map(this.driven);t.delete(e),this.driven=t,this.#f(e).set(null)}#f(e){let t=this.#t.get(e)??new w(this.api,this.device.name,e);return this.#t.set(e,t),t}#p(e){let t=this.live.status?.outputs[e.name],n=typeof t==`number`?t:null;return u`
       <span>${e.name} <small class="muted">${e.role}</small></span>
       <input type="range" min=${e.low??0} max=${e.high??100} step="1" aria-label=${e.name} ?disabled=${!this.usable}
         .value=${String(n??0)}
         @change=${t=>o(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:Number(t.target.value)}))} />
       <output>${c(n)} ${e.unit}</output><span></span>
-    `}};customElements.define(`pt-pins`,H);var U=class extends f{static styles=[i,n`
+    `}};customElements.define(`pt-pins`,q);var J=class extends f{static styles=[i,n`
       :host {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
@@ -382,6 +414,7 @@ import{_ as e,a as t,b as n,c as r,d as i,f as a,l as o,o as s,r as c,u as l,v a
       <pt-pins class=${t?``:`wide`} ${this.given()}></pt-pins>
       ${t?u`<div class="stack">
             <pt-faults ${this.given()}></pt-faults>
+            ${D(this.catalog).length>0?u`<pt-joystick ${this.given()}></pt-joystick>`:e}
             ${x(this.catalog)?u`<pt-hand-wheel ${this.given()}></pt-hand-wheel>`:e}
           </div>`:e}
-    `}};customElements.define(`pt-io`,U);
+    `}};customElements.define(`pt-io`,J);

@@ -1,4 +1,4 @@
-import{_ as e,v as t}from"./index-P_pVa90D.js";function n(n,r,i,a){return n.length<2?e:t`
+import{_ as e,v as t}from"./index-CEgvhO5r.js";function n(n,r,i,a){return n.length<2?e:t`
     <div class="row" role="radiogroup" aria-label="Axis">
       ${n.map(e=>t`
           <label class="line">

@@ -1,4 +1,4 @@
-import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r as u,t as d,u as f,v as p}from"./index-P_pVa90D.js";import{t as m}from"./tab-C4d3jR-x.js";import"./curves-CFN0jC4N.js";import{t as h}from"./axis-picker-BKd2hbcX.js";var g=n`
+import{_ as e,a as t,b as n,d as r,f as i,g as a,i as o,l as s,n as c,o as l,r as u,t as d,u as f,v as p}from"./index-CEgvhO5r.js";import{t as m}from"./tab-BKgwcDjR.js";import"./curves-CArQwgbo.js";import{t as h}from"./axis-picker-ChV81jjI.js";var g=n`
   .lamp {
     display: inline-flex;
     align-items: center;

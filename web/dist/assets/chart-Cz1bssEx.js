@@ -1,1 +1,0 @@
-import{b as e,d as t,v as n}from"./index-P_pVa90D.js";import"./curves-CFN0jC4N.js";import{t as r}from"./tab-C4d3jR-x.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
