@@ -114,7 +114,7 @@ class Add extends LitElement {
         <label>Bench file (TOML)
           <textarea name="bench" rows="12" spellcheck="false" required .defaultValue=${EXAMPLE}></textarea>
         </label>
-        <label class="line">Or from disk <input type="file" accept=".toml,text/plain" @change=${this.#openFile} /></label>
+        <label>Or from disk <input type="file" accept=".toml,text/plain" @change=${this.#openFile} /></label>
         ${this.#problem()}
         <div class="row"><span class="grow"></span>
           <button class="primary" ?disabled=${this.busy}>Add</button>
