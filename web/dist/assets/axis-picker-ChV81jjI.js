@@ -1,9 +1,0 @@
-import{_ as e,v as t}from"./index-CEgvhO5r.js";function n(n,r,i,a){return n.length<2?e:t`
-    <div class="row" role="radiogroup" aria-label="Axis">
-      ${n.map(e=>t`
-          <label class="line">
-            <input type="radio" name=${i} .checked=${e===r} @change=${()=>a(e)} />${e}
-          </label>
-        `)}
-    </div>
-  `}export{n as t};

@@ -1,1 +1,0 @@
-import{b as e,d as t,v as n}from"./index-CEgvhO5r.js";import"./curves-CArQwgbo.js";import{t as r}from"./tab-BKgwcDjR.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);

@@ -1,1 +1,0 @@
-function e(e,t,n=`text/plain;charset=utf-8`){let r=URL.createObjectURL(new Blob([t],{type:n})),i=document.createElement(`a`);i.href=r,i.download=e,i.click(),window.setTimeout(()=>URL.revokeObjectURL(r),0)}export{e as t};

@@ -1,0 +1,420 @@
+import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-BJ1xna7H.js";import{t as f}from"./tab-CRxZ_nNP.js";import{t as p}from"./axis-picker-BzPR2sbL.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,e`
+      .fields {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
+        gap: 8px;
+      }
+      .about {
+        font-size: 13px;
+        color: var(--muted);
+      }
+    `];constructor(){super(),this.faults=[],this.kinds=[],this.kind=``,this.problem=null}connectedCallback(){super.connectedCallback(),this.#t()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e)}async#t(){if(clearTimeout(this.#e),this.active&&!document.hidden)try{this.kinds.length===0&&(this.kinds=await this.api.faultKinds(),this.kind||=this.kinds[0]?.name??``),this.faults=await this.api.faults(this.device.name),this.problem=null}catch(e){this.problem=s(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#t(),m))}render(){let e=this.kinds.find(({name:e})=>e===this.kind),{name:t}=this.device;return n`
+      <section class="panel stack" aria-label="Power and faults">
+        <div class="row"><h2 class="grow">Power</h2>
+          <button class="small" ?disabled=${!this.usable} title="Off and on again"
+            @click=${()=>a(()=>this.api.powerCycle(t),`Switched off and on`)}>Power cycle</button>
+          <button class="small danger" ?disabled=${!this.usable} title="What flash had not finished is lost" @click=${this.#n}>Power cut</button>
+        </div>
+        <h2>Faults on purpose</h2>
+        ${this.problem?n`<p class="error-text">${this.problem}</p>`:d}
+        ${this.#r()}
+        ${e?this.#a(e):d}
+      </section>
+    `}async#n(){await r({heading:`Cut the power?`,text:`The controller starts again at once; what its flash was writing is lost or torn.`,yes:`Cut`,danger:!0})&&await a(()=>this.api.powerCut(this.device.name),`Power cut`)}#r(){return this.faults.length===0?n`<p class="muted">There is none.</p>`:n`
+      <table>
+        <thead><tr><th>Fault</th><th>With</th><th>State</th>
+          <th><button class="small plain" ?disabled=${!this.usable}
+            @click=${()=>this.#i(()=>this.api.clearFaults(this.device.name))}>Clear all</button></th></tr></thead>
+        <tbody>
+          ${this.faults.map(e=>{let{id:t,kind:r,state:i,...a}=e,o=Object.entries(a).map(([e,t])=>`${e} ${typeof t==`object`?JSON.stringify(t):String(t)}`);return n`
+              <tr><td>${v(String(r))}</td><td>${o.join(`, `)}</td>
+                <td><span class="badge ${i===`active`?`error`:`warn`}">${i}</span></td>
+                <td><button class="small" ?disabled=${!this.usable} aria-label="Clear ${v(String(r))}"
+                  @click=${()=>this.#i(()=>this.api.clearFault(this.device.name,t))}>Clear</button></td></tr>`})}
+        </tbody>
+      </table>
+    `}async#i(e){await a(e),await this.#t()}#a(e){let t=[`at`,...e.lasts?[`duration`]:[]];return n`
+      <form class="stack" @submit=${this.#c}>
+        <label>Kind
+          <select @change=${e=>this.kind=e.target.value}>
+            ${this.kinds.map(({name:e})=>n`<option value=${e} ?selected=${e===this.kind}>${v(e)}</option>`)}
+          </select>
+        </label>
+        <p class="about">${e.text}</p>
+        <div class="fields">
+          ${e.needs.map(e=>this.#o(e,!0))} ${e.may.map(e=>this.#o(e,!1))}
+          ${t.map(e=>this.#o(e,!1))}
+        </div>
+        <div class="row"><span class="grow"></span><button ?disabled=${!this.usable}>Add</button></div>
+      </form>
+    `}#o(e,t){let r=`${e===`at`?`begins in`:v(e)}${g[e]?` (${g[e]})`:``}`,i=this.#s(e);return i?n`<label>${r}<select name=${e}>
+        ${t?d:n`<option value="">any</option>`}
+        ${i.map(e=>n`<option>${e}</option>`)}</select></label>`:n`<label>${r}<input name=${e} type="text" class="number" autocomplete="off" ?required=${t} /></label>`}#s(e){switch(e){case`axis`:return this.catalog.axes;case`pin`:return this.catalog.pins.filter(({kind:e})=>e!==`output`&&e!==`analog_output`).map(({name:e})=>e);case`port`:return[`usb`,`rs485`,`can`];case`way`:return[`in`,`out`];case`value`:return[`true`,`false`];default:return null}}#c(e){e.preventDefault();let n={kind:this.kind};for(let[r,i]of new FormData(e.target)){let e=String(i).trim();if(e===``)continue;let a=h.includes(r)?e:r===`value`?e===`true`:t(e);if(a===null){l(`${v(r)}: “${e}” is not a number.`,`error`);return}n[r]=a}this.#i(()=>this.api.addFault(this.device.name,n))}};customElements.define(`pt-faults`,_);function v(e){return e.replaceAll(`_`,` `)}var y=/^MPE/,b=[-100,-10,-1,1,10,100];function x(e){return e.parameters.some(({id:e})=>y.test(e))}var S=class extends f{static properties={...f.properties,axis:{state:!0}};static styles=[i,e`
+      .steps {
+        display: grid;
+        grid-template-columns: repeat(${b.length}, 1fr);
+        gap: 6px;
+      }
+      button {
+        padding: 3px 4px;
+      }
+      p {
+        font-size: 13px;
+      }
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){return n`
+      <section class="panel stack" aria-label="Hand wheel">
+        <div class="row"><h2 class="grow">Hand wheel</h2>
+          ${p(this.catalog.axes,this.axis,`wheel-axis`,e=>this.axis=e)}
+        </div>
+        <p class="muted">Counts of the manual pulse generator; the axis follows where MPE is 1.</p>
+        <div class="steps">
+          ${b.map(e=>n`<button ?disabled=${!this.usable} @click=${()=>this.#e(e)}>
+            ${e>0?`+${e}`:`−${-e}`}</button>`)}
+        </div>
+      </section>
+    `}#e(e){a(()=>this.api.turnPulser(this.device.name,this.axis,e))}};customElements.define(`pt-hand-wheel`,S);var C=60,w=class{#e;#t;#n;#r=null;#i=!1;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}set(e){this.#r=e===null?null:Math.round(e),this.#i||this.#a()}async#a(){this.#i=!0;let e;for(;e!==this.#r;){e=this.#r;let t=e;if(!await a(()=>t===null?this.#e.releasePin(this.#t,this.#n):this.#e.drivePin(this.#t,this.#n,t)))break;await new Promise(e=>window.setTimeout(e,C))}this.#i=!1}},T=56,E={ArrowLeft:[-1,0],ArrowRight:[1,0],ArrowUp:[0,1],ArrowDown:[0,-1]};function D(e){return e.pins.filter(({kind:e,role:t,low:n,high:r})=>e===`analog`&&t===`joystick`&&n!==null&&r!==null).slice(0,2)}var O=class extends f{static properties={...f.properties,at:{state:!0}};#e=[];#t=!1;static styles=[i,e`
+      svg {
+        display: block;
+        margin: 0 auto;
+        touch-action: none;
+        cursor: grab;
+      }
+      .field {
+        fill: var(--raised);
+        stroke: var(--strong-line);
+      }
+      .cross {
+        stroke: var(--line);
+      }
+      .stick {
+        fill: var(--accent);
+      }
+      p {
+        font-size: 13px;
+      }
+    `];constructor(){super(),this.at=[0,0]}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.#e=D(this.catalog).map(({name:e})=>new w(this.api,this.device.name,e)))}disconnectedCallback(){super.disconnectedCallback(),this.#o()}render(){let e=D(this.catalog),[t,r]=this.at;return n`
+      <section class="panel stack" aria-label="Joystick">
+        <h2>Joystick</h2>
+        <p class="muted">${e.map(({name:e,axis:t})=>`${e}${t?` for ${t}`:``}`).join(`, `)}. It springs back; arrow keys bend it.</p>
+        <svg width="150" height="150" viewBox="-75 -75 150 150" tabindex="0" role="application"
+          aria-label="Joystick of ${e.map(({name:e})=>e).join(` and `)}"
+          @pointerdown=${this.#n} @pointermove=${this.#r} @pointerup=${this.#o} @pointercancel=${this.#o}
+          @keydown=${this.#i} @keyup=${this.#o} @blur=${this.#o}>
+          <circle class="field" r="72" />
+          <line class="cross" x1="-72" x2="72" /><line class="cross" y1="-72" y2="72" />
+          <circle class="stick" r="15" cx=${t*T} cy=${-r*T} />
+        </svg>
+      </section>
+    `}#n(e){e.button===0&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.#t=!0,this.#r(e))}#r(e){if(!this.#t)return;let t=e.currentTarget.getBoundingClientRect(),n=(e.clientX-t.x-t.width/2)/T,r=-(e.clientY-t.y-t.height/2)/T,i=Math.max(1,Math.hypot(n,r));this.#a([n/i,r/i])}#i(e){let t=E[e.key];t&&this.usable&&(e.preventDefault(),this.#t=!0,e.repeat||this.#a(t))}#a(e){this.at=e,D(this.catalog).forEach(({low:t,high:n},r)=>{this.#e[r].set((t+n)/2+e[r]*(n-t)/2)})}#o(){if(this.#t){this.#t=!1,this.at=[0,0];for(let e of this.#e)e.set(null)}}};customElements.define(`pt-joystick`,O);var k=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>a(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},A=30,j=1e4;function M(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/j)*j;n.push(t-j,t+j)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:A,low:r,high:i,perPulse:a,x:e=>A+(e-r)*a,pulse:e=>r+(e-A)/a}}function N(e,t){let n=e.circumference;return(t%n+n)%n/n}function P(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=N(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function F(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(N(e,n)-N(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var I=80,L=.35,R=88,z=38,B=172,V=48,H=5,U=1.5,W=[`negative limit`,`home`,`positive limit`],G={"negative limit":`−L`,home:`H`,"positive limit":`+L`},K=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,e`
+      .axis + .axis {
+        margin-top: 10px;
+        padding-top: 10px;
+        border-top: 1px solid var(--line);
+      }
+      .head {
+        font-size: 13px;
+      }
+      svg {
+        display: block;
+        width: 100%;
+        font-size: 11px;
+        font-variant-numeric: tabular-nums;
+        touch-action: pan-y;
+      }
+      text {
+        fill: var(--muted);
+      }
+      .rail {
+        stroke: var(--strong-line);
+        stroke-width: 4;
+        stroke-linecap: round;
+        fill: none;
+      }
+      .mark {
+        stroke: var(--line);
+        stroke-width: 1.5;
+      }
+      .home {
+        fill: var(--ok);
+        opacity: 0.75;
+      }
+      .home-arc {
+        stroke: var(--ok);
+        stroke-width: 6;
+        fill: none;
+      }
+      .carriage {
+        fill: var(--accent);
+      }
+      .slack {
+        fill: var(--accent);
+        opacity: 0.25;
+      }
+      .hand {
+        stroke: var(--accent);
+        stroke-width: 4;
+        stroke-linecap: round;
+      }
+      .switch {
+        cursor: grab;
+        touch-action: none;
+        user-select: none;
+        outline: none;
+      }
+      .switch .body {
+        fill: var(--panel);
+        stroke: var(--strong-line);
+        stroke-width: 2;
+      }
+      .switch text {
+        fill: var(--text);
+        font-weight: 650;
+        text-anchor: middle;
+      }
+      .switch.on .body {
+        fill: var(--ok);
+        stroke: var(--ok);
+      }
+      .switch.on.limit .body {
+        fill: var(--error);
+        stroke: var(--error);
+      }
+      .switch.on .body + text {
+        fill: var(--panel);
+      }
+      .hit {
+        fill: transparent;
+      }
+      .switch:focus-visible .body {
+        stroke: var(--accent);
+        stroke-width: 3;
+      }
+      .tools {
+        display: grid;
+        grid-template-columns: minmax(180px, 1fr) auto;
+        gap: 6px 18px;
+        align-items: center;
+      }
+      .load {
+        display: grid;
+        grid-template-columns: auto 1fr 4em;
+        gap: 8px;
+        align-items: center;
+        font-size: 13px;
+      }
+      .load output {
+        text-align: right;
+      }
+      .hand-tools input {
+        width: 90px;
+      }
+      @media (max-width: 600px) {
+        .tools {
+          grid-template-columns: 1fr;
+        }
+      }
+    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=s(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:I))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(F(t,e.role,e.at))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*L;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${M(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(N(e,t)*360).toFixed(2)})`}render(){return this.machine?n`
+      <section class="panel stack" aria-label="Machine">
+        <div class="row"><h2>Machine</h2>
+          <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
+        <div>
+          ${Object.entries(this.machine.axes).map(([e,t])=>n`
+            <div class="axis">
+              <div class="row head"><strong>${e}</strong>
+                <span class="muted">shaft ${c(t.shaft)} · counter ${c(this.live.status?.axes[e]?.position)}
+                  ${t.backlash?`· backlash ${c(t.backlash)}`:d}</span>
+              </div>
+              ${t.circumference===null?this.#c(e,t):this.#u(e,t)}
+              ${this.#S(e,t)}
+            </div>`)}
+        </div>
+      </section>
+    `:n`<section class="panel"><h2>Machine</h2>
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(e,t){let r=M(t,this.width),i=t.backlash*r.perPulse;return n`
+      <svg viewBox="0 0 ${this.width} ${R}" height=${R} role="group"
+        aria-label="Stage of axis ${e}, from ${t.negative_limit??`no limit`} to ${t.positive_limit??`no limit`}">
+        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${z} y2=${z} />
+        ${this.#l(t,r)}
+        ${t.home?u`<rect class="home" x=${r.x(t.home[0])} y=${35} height="6" rx="1"
+              width=${Math.max(3,r.x(t.home[1])-r.x(t.home[0]))} />`:d}
+        <g data-shaft=${e} transform=${this.#s(t,this.#n.get(e)??t.shaft)}>
+          ${i>=1?u`<rect class="slack" x=${-14-i/2} y=${8} width=${28+i} height="24" rx="4" />`:d}
+          <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
+          <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
+        </g>
+        ${W.map(n=>this.#d(e,t,n,r))}
+      </svg>
+    `}#l(e,t){let n=e.index_every;if(!n||n*t.perPulse<H)return n?u`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(n)}</text>`:d;let r=Math.ceil(t.low/n),i=Math.floor(t.high/n)-r+1;return Array.from({length:i},(e,i)=>{let a=t.x((r+i)*n);return u`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(e,t){let{width:r}=this,i=t.index_every??0,a=i>0?Math.min(360,Math.floor(t.circumference/i)):0;return n`
+      <svg viewBox="${-r/2} ${-86} ${r} ${B}" height=${B} role="group"
+        aria-label="Shaft of axis ${e}, ${t.circumference} to the turn">
+        <circle class="rail" r=${V} />
+        ${Array.from({length:a},(e,n)=>u`<line class="mark" transform="rotate(${N(t,n*i)*360})" y1=${-43} y2=${-37} />`)}
+        ${t.home?u`<path class="home-arc" d=${P(t,t.home,V)} />`:d}
+        <g data-shaft=${e} transform=${this.#s(t,this.#n.get(e)??t.shaft)}>
+          <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
+        </g>
+        ${W.map(n=>this.#f(e,t,n))}
+        <text x=${92} y="4">${c(t.circumference)} a turn</text>
+      </svg>
+    `}#d(e,t,n,r){let i=n===`home`?t.home&&(t.home[0]+t.home[1])/2:n===`positive limit`?t.positive_limit:t.negative_limit;if(i===null||!this.#g(e,n))return d;let a=r.x(this.#h(e,n)??i);return this.#p(e,n,`translate(${a} 62)`,e=>r.pulse(this.#m(e)),u`
+      <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
+      <text y="4">${G[n]}</text>`,u`<text y="24">${c(i)}</text>`)}#f(e,t,n){let r=n===`home`?t.home&&(t.home[0]+t.home[1])/2:n===`positive limit`?t.positive_limit:t.negative_limit;if(r===null||!this.#g(e,n))return d;let i=N(t,this.#h(e,n)??r)*2*Math.PI,a=`translate(${Math.sin(i)*66} ${-Math.cos(i)*66})`;return this.#p(e,n,a,e=>{let n=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-n.x-n.width/2,-(e.clientY-n.y-n.height/2))/(2*Math.PI)*t.circumference},u`<circle class="body" r="12" /><text y="4">${G[n]}</text>`,d)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return u`
+      <g class="switch ${o?`on`:``} ${t===`home`?``:`limit`}" transform=${n} tabindex="0" role="button"
+        aria-label="${t} switch of ${e}, ${o?`on`:`off`}" aria-pressed=${o?`true`:`false`}
+        @pointerdown=${n=>this.#v(n,e,t,r(n))}
+        @pointermove=${n=>this.#y(e,t,()=>r(n))}
+        @pointerup=${()=>this.#x()} @pointercancel=${()=>this.#x()} @lostpointercapture=${()=>this.#x()}
+        @keydown=${s} @keyup=${s} @blur=${()=>this.#x()}>
+        <rect class="hit" x="-23" y="-20" width="46" height="46" />${i} ${a}
+      </g>
+    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new k(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new k(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return n`
+      <div class="tools">
+        <div class="load">
+          <label for="load-${e}">Load</label>
+          <input id="load-${e}" type="range" min="0" max=${U} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
+            title="Part of the motor's pull-out torque; above 1 it stalls"
+            @change=${t=>this.#C(e,Number(t.target.value))} />
+          <output class=${t.load>1?`error-text`:``}>${Math.round(t.load*100)} %</output>
+        </div>
+        <form class="row hand-tools" @submit=${t=>this.#w(t,e)}>
+          <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${e}" />
+          <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
+          <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
+        </form>
+      </div>
+    `}#C(e,t){a(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=o(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;a(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,K);var q=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[i,e`
+      .tiles {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
+        gap: 6px;
+      }
+      .tile {
+        display: flex;
+        align-items: center;
+        justify-content: flex-start;
+        gap: 7px;
+        min-height: 34px;
+        padding: 2px 9px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        background: var(--raised);
+        overflow: hidden;
+        text-align: left;
+        touch-action: none;
+      }
+      button.tile {
+        border-color: var(--strong-line);
+      }
+      .tile i {
+        flex: none;
+        width: 11px;
+        height: 11px;
+        border: 2px solid var(--strong-line);
+        border-radius: 50%;
+      }
+      .tile.on i {
+        border-color: var(--ok);
+        background: var(--ok);
+      }
+      .tile.on {
+        font-weight: 650;
+      }
+      .tile.driven {
+        border-color: var(--accent);
+        box-shadow: inset 0 0 0 1px var(--accent);
+      }
+      .tile small {
+        display: block;
+        color: var(--muted);
+        font-weight: 400;
+        font-size: 11px;
+        line-height: 12px;
+      }
+      .tile span {
+        line-height: 16px;
+      }
+      .analog {
+        display: grid;
+        grid-template-columns: auto minmax(60px, 1fr) auto 34px;
+        gap: 6px 10px;
+        align-items: center;
+      }
+      .analog input {
+        width: 100%;
+        min-width: 0;
+      }
+      .analog output {
+        min-width: 5em;
+        text-align: right;
+      }
+      .sub {
+        margin: 2px 0 4px;
+      }
+    `];constructor(){super(),this.keep=!1,this.driven=new Map}disconnectedCallback(){super.disconnectedCallback();for(let e of this.#e.values())e.set(!1)}get#n(){return this.device.kind===`virtual`}render(){let{pins:e}=this.catalog,t=this.live.status?.outputs??{},r=e=>e.kind===`output`||e.kind===`port`&&e.name in t,i=e.filter(e=>[`input`,`index`,`port`].includes(e.kind)&&!r(e)),a=e.filter(e=>e.kind===`analog`),o=e.filter(e=>e.kind===`analog_output`);return n`
+      <section class="panel stack" aria-label="Inputs and outputs">
+        <div class="row"><h2 class="grow">Inputs</h2>
+          ${this.#n?n`<label class="line" title="A click presses, another one lets go">
+                <input type="checkbox" .checked=${this.keep} @change=${e=>this.keep=e.target.checked} />
+                keep pressed</label>`:d}
+        </div>
+        ${this.#r(i)}
+        <h2>Outputs</h2>
+        <div class="tiles">${e.filter(r).map(e=>this.#c(e))}</div>
+        ${a.length+o.length>0?n`<h2>Analog</h2>
+              <div class="analog">${a.map(e=>this.#l(e))} ${o.map(e=>this.#p(e))}</div>`:d}
+      </section>
+    `}#r(e){return[null,...this.catalog.axes].map(t=>{let r=e.filter(e=>this.#i(e)===t);return r.length===0?d:n`
+        <div>
+          ${t===null?d:n`<h3 class="sub">Axis ${t}</h3>`}
+          <div class="tiles">${r.map(e=>this.#o(e))}</div>
+        </div>
+      `})}#i({axis:e,name:t,kind:n}){if(e!==null)return e;let r=t.at(-1)??``;return n===`input`&&/[A-Z]/.test(r)&&t.length>3&&this.catalog.axes.includes(r)?r:null}#a(e){let t=this.live.status?.inputs[e.name];if(t!==void 0)return t===!0||typeof t==`number`&&t!==0;let n=e.axis===null?void 0:this.live.status?.axes[e.axis];if(!n)return null;switch(e.role){case`negative limit`:return n.negative_limit;case`positive limit`:return n.positive_limit;case`home`:return n.home;case`index`:return n.index;default:return null}}#o(e){let t=this.#a(e),r=this.#e.get(e.name),i=`${e.name}${e.role?`, ${e.role}`:``}${t===null?``:t?`, on`:`, off`}`,a=n`<i></i><span>${e.name} ${e.role?n`<small>${e.role}</small>`:d}</span>`,o=`tile ${t?`on`:``} ${r?.pressed?`driven`:``}`;if(!this.#n)return n`<div class=${o} role="img" aria-label=${i} title=${i}>${a}</div>`;let s=()=>{this.keep||this.#s(e.name,!1)};return n`
+      <button class=${o} title=${i} aria-label=${i} aria-pressed=${r?.pressed??!1} ?disabled=${!this.usable}
+        @pointerdown=${t=>{t.button===0&&(this.keep||t.currentTarget.setPointerCapture(t.pointerId),this.#s(e.name,!this.keep||!r?.pressed))}}
+        @pointerup=${s} @pointercancel=${s} @blur=${s} @contextmenu=${e=>e.preventDefault()}
+        @keydown=${t=>{t.repeat||t.key!==` `&&t.key!==`Enter`||(t.preventDefault(),this.#s(e.name,!this.keep||!r?.pressed))}}
+        @keyup=${s}>${a}</button>
+    `}#s(e,t){let n=this.#e.get(e)??new k(this.api,this.device.name,e);this.#e.set(e,n),n.set(t),this.requestUpdate()}#c(e){let t=this.live.status?.outputs[e.name],r=t===!0||typeof t==`number`&&t!==0,i=t!==void 0&&this.catalog.actions.includes(`output`);return n`
+      <button class="tile ${r?`on`:``}" role="switch" aria-checked=${r} ?disabled=${!this.usable||!i}
+        title="${e.name}${e.role?`, ${e.role}`:``}: ${i?r?`on`:`off`:`cannot be set from here`}"
+        @click=${()=>a(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:!r}))}>
+        <i></i><span>${e.name} ${e.role?n`<small>${e.role}</small>`:d}</span>
+      </button>
+    `}#l(e){let t=this.live.status?.inputs[e.name],r=typeof t==`number`?t:this.driven.get(e.name)??null,i=this.#n&&e.low!==null&&e.high!==null;return n`
+      <span>${e.name} <small class="muted">${e.role}</small></span>
+      ${i?n`<input type="range" min=${e.low} max=${e.high} step="any" ?disabled=${!this.usable}
+            aria-label="${e.name}${e.role?`, ${e.role}`:``}" .value=${String(this.driven.get(e.name)??r??e.low)}
+            @input=${t=>this.#u(e.name,Number(t.target.value))} />`:n`<span></span>`}
+      <output>${c(r)} ${e.unit}</output>
+      ${i?n`<button class="small plain" ?disabled=${!this.driven.has(e.name)} title="Give it back to the machine"
+            aria-label="Give ${e.name} back to the machine" @click=${()=>this.#d(e.name)}>✕</button>`:n`<span></span>`}
+    `}#u(e,t){this.driven=new Map(this.driven).set(e,Math.round(t)),this.#f(e).set(t)}#d(e){let t=new Map(this.driven);t.delete(e),this.driven=t,this.#f(e).set(null)}#f(e){let t=this.#t.get(e)??new w(this.api,this.device.name,e);return this.#t.set(e,t),t}#p(e){let t=this.live.status?.outputs[e.name],r=typeof t==`number`?t:null;return n`
+      <span>${e.name} <small class="muted">${e.role}</small></span>
+      <input type="range" min=${e.low??0} max=${e.high??100} step="1" aria-label=${e.name} ?disabled=${!this.usable}
+        .value=${String(r??0)}
+        @change=${t=>a(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:Number(t.target.value)}))} />
+      <output>${c(r)} ${e.unit}</output><span></span>
+    `}};customElements.define(`pt-pins`,q);var J=class extends f{static styles=[i,e`
+      :host {
+        display: grid;
+        grid-template-columns: repeat(2, minmax(0, 1fr));
+        gap: var(--gap);
+        align-items: start;
+      }
+      .wide {
+        grid-column: 1 / -1;
+      }
+      @media (max-width: 900px) {
+        :host {
+          grid-template-columns: minmax(0, 1fr);
+        }
+      }
+    `];render(){let e=this.device.kind===`virtual`;return n`
+      ${e?n`<pt-machine class="wide" ${this.given()}></pt-machine>`:d}
+      <pt-pins class=${e?``:`wide`} ${this.given()}></pt-pins>
+      ${e?n`<div class="stack">
+            <pt-faults ${this.given()}></pt-faults>
+            ${D(this.catalog).length>0?n`<pt-joystick ${this.given()}></pt-joystick>`:d}
+            ${x(this.catalog)?n`<pt-hand-wheel ${this.given()}></pt-hand-wheel>`:d}
+          </div>`:d}
+    `}};customElements.define(`pt-io`,J);

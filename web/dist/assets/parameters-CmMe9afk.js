@@ -1,0 +1,211 @@
+import{S as e,b as t,c as n,d as r,f as i,l as a,p as o,u as s,y as c}from"./index-BJ1xna7H.js";import{n as l,t as u}from"./files-DqKkerva.js";import{t as d}from"./tab-CRxZ_nNP.js";var f=64;function p(e,t){return e.is_text===(typeof t==`string`)?typeof t==`string`?t.length<=f?null:`At most ${f} characters.`:Number.isFinite(t)?Number(t.toFixed(e.decimals))===t?e.low!==null&&t<e.low?`At least ${e.low}.`:e.high!==null&&t>e.high?`At most ${e.high}.`:null:e.decimals===0?`Whole numbers only.`:`At most ${e.decimals} decimals.`:`This is a number.`:e.is_text?`This is text.`:`This is a number.`}function m(e,t){let n=t.trim(),r=e.is_text?n:h(n);if(r===null)return{ok:!1,problem:`This is a number.`};let i=p(e,r);return i===null?{ok:!0,value:r}:{ok:!1,problem:i}}function h(e){let t=e.replace(`−`,`-`).replace(/[\s_\u2009]/g,``),n=/^(-?)0x([0-9a-f]+)$/i.exec(t);return n?(n[1]===`-`?-1:1)*Number.parseInt(n[2]??``,16):/^[+-]?(\d+\.?\d*|\.\d+)$/.test(t)?Number(t):null}function g(e,t){return typeof t==`string`?t:t.toFixed(e.decimals)}function _({low:e,high:t,is_text:n}){return n?`text`:e===null&&t===null?``:e===-(2**31)&&t===2**31-1?`32 bits`:`${e??`…`} to ${t??`…`}`}var v=`pulsetrain parameters`,y=1,b=1<<20;function x(e,t,n,r){let i={};for(let{id:t,readable:r,writable:a}of e.parameters){let e=n[t];r&&a&&e!==void 0&&(i[t]=e)}let a={format:v,version:y,model:e.model,device:t,date:r.toISOString(),parameters:i};return`${JSON.stringify(a,null,2)}\n`}function S(e,t){let n;try{n=JSON.parse(t)}catch(e){return`The file is not JSON: ${e.message}.`}if(!w(n)||n.format!==v)return`The file has no parameters of a controller.`;if(n.version!==y)return`The file is of a newer version of this page.`;if(n.model!==e.model)return`The file is of a ${String(n.model)}, not of a ${e.model}.`;let r=n.parameters;if(!w(r))return`The file has no parameters.`;let i=new Map(e.parameters.map(e=>[e.id,e])),a=new Map,o=[];for(let[e,t]of Object.entries(r)){let n=i.get(e),r=n===void 0?`There is no such parameter.`:n.writable?C(n,t):`Read only.`;n!==void 0&&r===null?a.set(n,t):o.push(`${e}: ${r}`)}return{device:String(n.device??``),date:String(n.date??``),values:a,problems:o}}function C(e,t){return typeof t==`number`||typeof t==`string`?p(e,t):`Neither a number nor text.`}function w(e){return typeof e==`object`&&!!e&&!Array.isArray(e)}function T(e,t,n){let r=[];for(let i of e.parameters){let e=t.get(i);e!==void 0&&e!==n[i.id]&&r.push({info:i,from:n[i.id],to:e})}return r}var E=class extends d{static properties={...d.properties,values:{state:!0},words:{state:!0},group:{state:!0},only:{state:!0},busy:{state:!0},comparison:{state:!0}};#e=new Map;#t=new Map;#n=new Set;#r=!1;static styles=[i,e`
+      .row > select {
+        width: auto;
+        max-width: 100%;
+      }
+      .tools {
+        position: sticky;
+        top: 46px;
+        z-index: 2;
+        margin-bottom: var(--gap);
+      }
+      input[type="search"] {
+        flex: 1 1 14em;
+        width: auto;
+      }
+      section {
+        margin-bottom: var(--gap);
+      }
+      h2 {
+        margin: 0 0 4px;
+        font-size: 15px;
+      }
+      td {
+        vertical-align: top;
+      }
+      td.value {
+        width: 210px;
+        white-space: nowrap;
+      }
+      td.value input {
+        width: 130px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+      }
+      td.value input.text {
+        text-align: left;
+      }
+      td.value .problem {
+        white-space: normal;
+        font-size: 12px;
+      }
+      td.id {
+        width: 110px;
+      }
+      td.range {
+        width: 150px;
+      }
+      td.default {
+        width: 90px;
+      }
+      td.marks {
+        width: 150px;
+      }
+      td.section {
+        width: 60px;
+      }
+      tr.edited {
+        background: var(--busy-bg);
+      }
+      .what {
+        color: var(--muted);
+        font-size: 12.5px;
+      }
+      .diff {
+        max-height: 50dvh;
+        overflow: auto;
+      }
+      @media (max-width: 900px) {
+        .wide {
+          display: none;
+        }
+        td.value {
+          width: auto;
+          white-space: normal;
+        }
+        .tools {
+          position: static;
+        }
+      }
+    `];constructor(){super(),this.values={},this.words=``,this.group=``,this.only=`all`,this.busy=null,this.comparison=null}willUpdate(e){super.willUpdate(e),this.active&&this.reachable&&!this.#r&&(this.#r=!0,this.#a())}async#i(e,t,n){if(this.busy!==null)return!1;this.busy=e;let r=await a(t,n);return this.busy=null,r}#a(){return this.#i(`Reading…`,()=>this.#o())}async#o(){this.values=await this.api.parameters(this.device.name)}#s(e){return this.#i(`Writing…`,async()=>{let t=0;for(let[n,r]of e)try{await this.api.setParameter(this.device.name,n.id,r),this.#e.delete(n.id),this.#t.delete(n.id),n.stored&&this.#n.add(n.id)}catch(e){t+=1,this.#e.set(n.id,g(n,r)),this.#t.set(n.id,o(e))}if(await this.#o(),t>0)throw Error(`${t} of ${e.size} parameters were not taken; they are marked.`);s(e.size===1?`Written`:`${e.size} parameters written`)})}#c(e,t){let n=this.values[e.id];if(n!==void 0&&t===g(e,n))this.#l(e);else{this.#e.set(e.id,t);let n=m(e,t);n.ok?this.#t.delete(e.id):this.#t.set(e.id,n.problem)}this.requestUpdate()}#l(e){this.#e.delete(e.id),this.#t.delete(e.id),this.requestUpdate()}#u(e){let t=new Map;for(let n of e){let e=this.#e.get(n.id),r=e===void 0?null:m(n,e);r?.ok&&t.set(n,r.value)}return t}#d(e,t){if(e.key===`Enter`){let e=this.#u([t]);e.size>0&&this.usable&&this.#s(e)}if(e.key===`Escape`){this.#l(t);let n=this.values[t.id];e.target.value=n===void 0?``:g(t,n)}}async#f(){await this.#i(`Storing…`,()=>this.api.storeParameters(this.device.name),`Stored`)&&this.#n.clear(),this.requestUpdate()}async#p(){await n({heading:`Restore factory settings?`,text:`Every parameter of ${this.device.name} goes back to its default, stored ones too. This cannot be undone.`,yes:`Restore`,danger:!0})&&await this.#i(`Restoring…`,async()=>{await this.api.restoreFactory(this.device.name);for(let e of[this.#e,this.#t,this.#n])e.clear();await this.#o()},`Factory settings restored`)}async#m(){await this.#i(`Reading…`,async()=>{await this.#o();let e=new Date,t=`${this.device.name}-${e.toISOString().slice(0,10)}.json`;l(t,x(this.catalog,this.device.name,this.values,e),`application/json`)})}async#h(){await a(async()=>{let e=await u(`.json,application/json`,b);if(e===null)return;let t=S(this.catalog,e.text);if(typeof t==`string`)throw Error(t);await this.#o(),this.comparison={name:e.name,file:t,changes:T(this.catalog,t.values,this.values)}})}async#g(e){this.comparison=null,await this.#s(new Map(e.map(({info:e,to:t})=>[e,t])))}#_(e){let t=this.values[e.id];return e.writable&&e.default!==null&&t!==void 0&&t!==e.default}#v(){let e=this.words.toLowerCase().split(/\s+/).filter(Boolean);return this.catalog.parameters.filter(t=>{if(this.group!==``&&D(t)!==this.group||this.only===`changed`&&!this.#_(t)||this.only===`unstored`&&!this.#n.has(t.id)||this.only===`edited`&&!this.#e.has(t.id))return!1;let n=`${t.id} ${t.symbol} ${t.name} ${t.text} ${t.unit} ${D(t)}`.toLowerCase();return e.every(e=>n.includes(e))})}render(){let e=this.#v(),n=new Map;for(let t of e)n.set(D(t),[...n.get(D(t))??[],t]);return t`
+      ${this.#y(e.length)}
+      ${[...n].map(([e,t])=>this.#b(e,t))}
+      ${e.length===0?t`<p class="muted">No parameter fits.</p>`:c} ${this.#C()}
+    `}#y(e){let n=this.#u(this.catalog.parameters),r=this.busy===null&&this.reachable,i=[...new Set(this.catalog.parameters.map(D))];return t`
+      <div class="panel stack tools">
+        <div class="row">
+          <input
+            type="search"
+            aria-label="Search parameters"
+            placeholder="Search: number, name, words"
+            .value=${this.words}
+            @input=${e=>this.words=e.target.value}
+          />
+          <select aria-label="Group" @change=${e=>this.group=e.target.value}>
+            <option value="">all groups</option>
+            ${i.map(e=>t`<option value=${e} ?selected=${e===this.group}>${e}</option>`)}
+          </select>
+          <select
+            aria-label="Which"
+            @change=${e=>this.only=e.target.value}
+          >
+            <option value="all">all</option>
+            <option value="changed">not default</option>
+            <option value="unstored">written, not stored</option>
+            <option value="edited">typed, not written</option>
+          </select>
+          <span class="muted">${e} of ${this.catalog.parameters.length}</span>
+          <span role="status">${this.busy??c}</span>
+        </div>
+        <div class="row">
+          <button ?disabled=${!r} @click=${()=>this.#a()}>Read all</button>
+          <button class="primary" ?disabled=${!r||!this.usable||n.size===0} @click=${()=>this.#s(n)}>
+            Write${n.size>0?` ${n.size}`:``}
+          </button>
+          <button ?disabled=${!r} @click=${()=>this.#m()}>Save to file</button>
+          <button ?disabled=${!r||!this.usable} @click=${()=>this.#h()}>Load from file</button>
+          <span class="grow"></span>
+          <button ?disabled=${!r||!this.usable} @click=${()=>this.#f()}>
+            Store${this.#n.size>0?t` <span class="badge warn">${this.#n.size}</span>`:c}
+          </button>
+          <button class="danger" ?disabled=${!r||!this.usable} @click=${()=>this.#p()}>
+            Factory settings
+          </button>
+        </div>
+      </div>
+    `}#b(e,n){return t`
+      <section class="panel" aria-label=${e}>
+        <h2>${e}</h2>
+        <table>
+          <thead>
+            <tr>
+              <th>Number</th>
+              <th>Parameter</th>
+              <th>Value</th>
+              <th class="wide">Range</th>
+              <th class="wide">Default</th>
+              <th></th>
+              <th class="wide">Manual</th>
+            </tr>
+          </thead>
+          <tbody>
+            ${r(n,({id:e})=>e,e=>this.#x(e))}
+          </tbody>
+        </table>
+      </section>
+    `}#x(e){let n=this.#e.get(e.id);return t`
+      <tr class=${n===void 0?``:`edited`}>
+        <td class="id"><code>${e.id}</code></td>
+        <td>
+          ${e.name}
+          <div class="what">${e.text}${e.symbol?t` <code class="wide">${e.symbol}</code>`:c}</div>
+        </td>
+        <td class="value">${this.#S(e,n)}</td>
+        <td class="range wide">${_(e)}</td>
+        <td class="default wide">${e.default===null?c:g(e,e.default)}</td>
+        <td class="marks">
+          ${this.#_(e)?t`<span class="badge busy">not default</span>`:c}
+          ${this.#n.has(e.id)?t`<span class="badge warn">not stored</span>`:c}
+          ${e.stored&&!this.#n.has(e.id)?t`<span class="badge" title="Kept when the power goes, once it is stored">stored</span>`:c}
+        </td>
+        <td class="section wide muted">${e.section}</td>
+      </tr>
+    `}#S(e,n){let r=this.values[e.id],i=n??(r===void 0?``:g(e,r)),a=this.#t.get(e.id),o=e.unit?t` <span class="muted">${e.unit}</span>`:c;return e.writable?t`
+      <input
+        class=${e.is_text?`text`:``}
+        aria-label="${e.name} ${e.id}"
+        aria-invalid=${a===void 0?`false`:`true`}
+        spellcheck="false"
+        autocomplete="off"
+        placeholder=${e.readable?``:`write only`}
+        .value=${i}
+        ?readonly=${!this.usable}
+        @input=${t=>this.#c(e,t.target.value)}
+        @keydown=${t=>this.#d(t,e)}
+      />${o} ${a===void 0?c:t`<div class="problem error-text" role="alert">${a}</div>`}
+    `:t`<span class="mono">${i===``?`–`:i}</span>${o}`}#C(){let{name:e,file:n,changes:r}=this.comparison??{};return e===void 0||n===void 0||r===void 0?c:t`
+      <pt-dialog wide heading="Parameters of ${e}" .open=${!0} @close=${()=>this.comparison=null}>
+        <p class="muted">Saved of ${n.device||`a controller`} ${n.date?`on ${n.date.slice(0,16).replace(`T`,` `)} UTC`:``}.</p>
+        <div class="diff">
+          ${r.length===0?t`<p>The controller has all of these values already.</p>`:this.#w(r)}
+          ${n.problems.map(e=>t`<p class="warn-text">${e}</p>`)}
+        </div>
+        <button slot="actions" @click=${()=>this.comparison=null}>Cancel</button>
+        ${r.length===0?c:t`<button slot="actions" class="primary" @click=${()=>this.#g(r)}>
+              Write ${r.length===1?`1 change`:`${r.length} changes`}
+            </button>`}
+      </pt-dialog>
+    `}#w(e){return t`
+      <table>
+        <thead>
+          <tr>
+            <th>Number</th>
+            <th>Parameter</th>
+            <th class="number">Now</th>
+            <th class="number">In the file</th>
+            <th>Unit</th>
+          </tr>
+        </thead>
+        <tbody>
+          ${e.map(({info:e,from:n,to:r})=>t`
+              <tr>
+                <td><code>${e.id}</code></td>
+                <td>${e.name}</td>
+                <td class="number">${n===void 0?`–`:g(e,n)}</td>
+                <td class="number"><strong>${g(e,r)}</strong></td>
+                <td class="muted">${e.unit}</td>
+              </tr>
+            `)}
+        </tbody>
+      </table>
+    `}};customElements.define(`pt-parameters`,E);function D({group:e,axis:t}){return t===null?e:`${e} ${t}`}
