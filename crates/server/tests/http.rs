@@ -177,9 +177,6 @@ fn faults() {
         assert_eq!(got, (status, answer), "{method} {path} {body}");
     };
     let error = |text: &str| json!({ "error": text });
-    let (_, kinds) = call(address, "GET", "/api/faults", "");
-    let slip = kinds.as_array().unwrap().iter().find(|kind| kind["name"] == "slip").unwrap();
-    assert_eq!((&slip["needs"], &slip["lasts"]), (&json!(["axis", "pulses"]), &json!(false)));
     check("GET", "a/faults", "", 200, json!([]));
     let stuck = r#"{ "kind": "stuck_switch", "pin": "IN", "value": true }"#;
     check("POST", "a/faults", stuck, 201, json!({ "id": 1 }));

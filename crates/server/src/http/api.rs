@@ -78,7 +78,6 @@ fn led() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(axes::push))
         .routes(routes!(axes::lose))
         .routes(routes!(axes::turn_pulser))
-        .routes(routes!(faults::kinds))
         .routes(routes!(faults::list, faults::add, faults::clear_all))
         .routes(routes!(faults::clear))
         .routes(routes!(debug::state, debug::set, debug::go))

@@ -3,38 +3,13 @@
 use super::{Answer, Body, Place, Shared, at, json, unprocessable};
 use axum::{Json, extract::State, http::StatusCode};
 use serde::Serialize;
-use sim::fault::{Entry, FaultView, KINDS, KindRow};
+use sim::fault::{Entry, FaultView};
 use utoipa::ToSchema;
 
 /// The number of a fault, which no other fault of the device has.
 #[derive(Serialize, ToSchema)]
 pub struct Numbered {
     id: u64,
-}
-
-/// A kind of faults.
-#[derive(Serialize, ToSchema)]
-pub struct KindInfo {
-    /// What a fault of it has as `kind`.
-    name: &'static str,
-    /// What happens.
-    text: &'static str,
-    /// The keys that it must have, beside those of every fault.
-    needs: &'static [&'static str],
-    /// The keys that it may have.
-    may: &'static [&'static str],
-    /// Whether it lasts, so that it can have a `duration`.
-    lasts: bool,
-}
-
-/// The kinds of faults that there are
-#[utoipa::path(get, path = "/api/faults", tag = "faults", responses((status = 200, body = [KindInfo])))]
-pub async fn kinds() -> Json<Vec<KindInfo>> {
-    let info = |row: &KindRow| {
-        let &KindRow { name, text, needs, may, lasts, .. } = row;
-        KindInfo { name, text, needs, may, lasts }
-    };
-    Json(KINDS.iter().map(info).collect())
 }
 
 /// The faults that wait or are active
