@@ -54,6 +54,7 @@ export function breakpointGutter(toggle: (line: number) => void): Extension {
       class: "cm-breakpoints",
       markers: (view) => view.state.field(dots),
       initialSpacer: () => DOT,
+      renderEmptyElements: true,
       domEventHandlers: {
         mousedown(view, block) {
           toggle(view.state.doc.lineAt(block.from).number);

@@ -20,6 +20,9 @@ export const theme = EditorView.theme({
   ".cm-breakpoints": { cursor: "pointer" },
   ".cm-breakpoints .cm-gutterElement": { width: "16px", padding: "0 3px", display: "grid", placeItems: "center" },
   ".cm-breakpoint": { width: "10px", height: "10px", borderRadius: "50%", backgroundColor: "var(--stop)" },
+  ".cm-breakpoints .cm-gutterElement:empty:hover": {
+    backgroundImage: "radial-gradient(circle, color-mix(in srgb, var(--stop) 55%, transparent) 5px, transparent 5.5px)",
+  },
   ".cm-present-running": { backgroundColor: "var(--ok-bg)", boxShadow: "inset 3px 0 var(--ok)" },
   ".cm-present-held": { backgroundColor: "var(--warn-bg)", boxShadow: "inset 3px 0 var(--warn)" },
   ".cm-present-error": { backgroundColor: "var(--error-bg)", boxShadow: "inset 3px 0 var(--error)" },
