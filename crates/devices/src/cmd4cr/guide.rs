@@ -19,6 +19,7 @@ pub static GUIDE: Guide = Guide {
     units: Units { position: "pulses", speed: "pps", encoder: "counts" },
     programs: COMMANDER.threads,
     program_capacity: COMMANDER.lines,
+    speed_windows: &motion::pps::COMMANDER,
     status_bits: &STATUS_BITS,
     homing: &HOMING,
     settings: || ascii::settings(COMMANDS, NAMES, &Id::ProgramLine, TOPICS),

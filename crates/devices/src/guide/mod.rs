@@ -8,7 +8,7 @@ pub mod tmcl;
 
 use crate::Pin;
 use alloc::{string::String, vec::Vec};
-use motion::Direction;
+use motion::{Direction, pps::Window};
 
 /// A controller for people.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,8 @@ pub struct Guide {
     pub programs: u8,
     /// How many commands or compiled lines its programs can have together.
     pub program_capacity: u16,
+    /// Its table of speeds, if it counts in pulses a second.
+    pub speed_windows: &'static [Window],
     /// The bits of the status of an axis.
     pub status_bits: &'static [StatusBit],
     /// The ways of homing.
@@ -44,6 +46,7 @@ impl Guide {
         units: Units { position: "", speed: "", encoder: "" },
         programs: 0,
         program_capacity: 0,
+        speed_windows: &[],
         status_bits: &[],
         homing: &[],
         settings: Vec::new,

@@ -19,6 +19,7 @@ pub static GUIDE: Guide = Guide {
     units: Units { position: "µsteps", speed: "int", encoder: "µsteps" },
     programs: 1,
     program_capacity: PROGRAM_LENGTH as u16,
+    speed_windows: &[],
     status_bits: &STATUS_BITS,
     homing: HOMING,
     settings,

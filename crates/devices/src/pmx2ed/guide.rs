@@ -14,6 +14,7 @@ pub static GUIDE: Guide = Guide {
     units: Units { position: "pulses", speed: "pps", encoder: "counts" },
     programs: PERFORMAX_2.threads,
     program_capacity: PERFORMAX_2.lines,
+    speed_windows: &motion::pps::PERFORMAX,
     status_bits: &STATUS_BITS,
     homing: &HOMING,
     settings: || ascii::settings(COMMANDS, NAMES, &Id::ProgramLine, TOPICS),

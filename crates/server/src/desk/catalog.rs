@@ -4,7 +4,7 @@ use devices::{
     Language, Model, Pin, PinKind, Wiring,
     guide::{self, BitKind, Setting, Usage},
 };
-use motion::Direction;
+use motion::{Direction, pps::Window};
 use serde::Serialize;
 use ts_rs::TS;
 use utoipa::ToSchema;
@@ -27,6 +27,8 @@ pub(crate) struct Catalog {
     pub programs: u8,
     /// How many lines or commands its programs can have together.
     pub program_capacity: u16,
+    /// Its table of speeds; empty if it does not count in pulses a second.
+    pub speed_windows: Vec<SpeedWindow>,
     /// The ways of homing.
     pub homing: Vec<HomingMode>,
     /// The bits of an axis' status.
@@ -50,6 +52,25 @@ pub(crate) struct Units {
     pub speed: &'static str,
     /// Encoder positions.
     pub encoder: &'static str,
+}
+
+/// A row of a table of speeds.
+#[derive(Debug, Serialize, TS, ToSchema)]
+pub(crate) struct SpeedWindow {
+    /// Its number in SSPDM.
+    pub number: u8,
+    /// The lowest high speed, in pulses a second.
+    pub from_pps: u32,
+    /// The highest one.
+    pub to_pps: u32,
+    /// The least low speed.
+    pub least_low_pps: u32,
+    /// Speeds are multiples of this.
+    pub step_pps: u32,
+    /// The shortest ramp, in milliseconds.
+    pub least_ms: u32,
+    /// The gentlest acceleration, in pulses a second each second.
+    pub delta: u32,
 }
 
 /// A way of homing.
@@ -172,6 +193,7 @@ impl Catalog {
             units: Units { position: units.position, speed: units.speed, encoder: units.encoder },
             programs: guide.programs,
             program_capacity: guide.program_capacity,
+            speed_windows: guide.speed_windows.iter().map(Into::into).collect(),
             homing: guide.homing.iter().map(Into::into).collect(),
             status_bits: guide.status_bits.iter().map(Into::into).collect(),
             actions: &[],
@@ -179,6 +201,13 @@ impl Catalog {
             commands: (guide.commands)().into_iter().map(Into::into).collect(),
             pins: guide.pins.iter().map(|pin| PinInfo::of(pin, guide)).collect(),
         }
+    }
+}
+
+impl From<&Window> for SpeedWindow {
+    fn from(window: &Window) -> Self {
+        let Window { number, from_pps, to_pps, least_low_pps, step_pps, least_ms, delta } = *window;
+        Self { number, from_pps, to_pps, least_low_pps, step_pps, least_ms, delta }
     }
 }
 
