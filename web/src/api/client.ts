@@ -111,9 +111,6 @@ export class Api extends EventTarget {
   parameter(name: string, id: string): Promise<Value> {
     return this.get(this.path(name, "parameters", id));
   }
-  parameter(name: string, id: string): Promise<Value> {
-    return this.get(this.path(name, "parameters", id));
-  }
   setParameter(name: string, id: string, value: Value): Promise<void> {
     return this.send("PUT", this.path(name, "parameters", id), value);
   }
