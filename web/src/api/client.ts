@@ -13,6 +13,9 @@ import type {
   Value,
 } from "./contract.ts";
 
+/** What still goes out when the page is being closed: above all, stops. */
+const LAST_WORDS = /^\/api\/(lease|devices\/[^/]+\/(stop|act))$/;
+
 /** A request that did not do what it should: the server's own sentence, or that it cannot be reached. */
 export class ApiError extends Error {
   /** The HTTP status; 0 if nobody answered. */
@@ -247,6 +250,7 @@ export class Api extends EventTarget {
         headers,
         body: body === undefined ? null : JSON.stringify(body),
         signal: AbortSignal.timeout(timeout_ms),
+        keepalive: LAST_WORDS.test(path),
         cache: "no-store",
       });
     } catch (error) {

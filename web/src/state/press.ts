@@ -1,5 +1,5 @@
-// A switch that the page presses and lets go. A pin's level when pressed is the opposite of the one that it had, so
-// that switches which open when they are pressed need no special care. Requests go out one after the other.
+// An input that is the other way round while the page holds it: a switch that opens when it is pressed needs no special
+// care, and one that the machine presses is let go. Requests go out one after the other.
 
 import type { Api } from "../api/client.ts";
 import { attempt } from "../ui/toast.ts";

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { MachineAxis } from "../api/contract.ts";
-import { arc, around, covers, lane } from "./machine-geometry.ts";
+import { arc, around, covers, lane, touches } from "./machine-geometry.ts";
 
 const stage: MachineAxis = {
   shaft: 0,
@@ -35,6 +35,20 @@ test("parts of a turn", () => {
   check(-500, 0.75);
   check(4500, 0.25);
   assert.match(arc(round, [0, 500], 10), /^M 0\.00 -10\.00 A 10 10 0 0 1 10\.00 -?0\.00$/);
+});
+
+test("a switch at its place is pressed by the carriage alone", () => {
+  const check = (axis: MachineAxis, expected: boolean[]) => {
+    const pressed = (["negative limit", "home", "positive limit"] as const).map((role) => touches(axis, role));
+    assert.deepEqual(pressed, expected, String(axis.shaft));
+  };
+  check({ ...stage, shaft: -1000 }, [true, false, false]);
+  check({ ...stage, shaft: -200 }, [false, true, false]);
+  check({ ...stage, shaft: 1 }, [false, false, false]);
+  check({ ...stage, shaft: 9001 }, [false, false, true]);
+  check({ ...round, shaft: 4150 }, [false, true, false]);
+  check({ ...round, shaft: 1990 }, [false, false, false]);
+  check({ ...round, home: [1990, 2010], shaft: 5 }, [false, true, false]);
 });
 
 test("a switch that is dragged to the carriage is pressed", () => {

@@ -58,6 +58,23 @@ export function arc(axis: MachineAxis, [from, to]: [number, number], radius: num
   return `M ${point(start)} A ${radius} ${radius} 0 ${length > 0.5 ? 1 : 0} 1 ${point(start + length)}`;
 }
 
+/** Whether the carriage presses a switch where that is mounted. */
+export function touches(axis: MachineAxis, role: SwitchRole): boolean {
+  const { shaft, home, negative_limit, positive_limit } = axis;
+  switch (role) {
+    case "negative limit":
+      return negative_limit !== null && shaft <= negative_limit;
+    case "positive limit":
+      return positive_limit !== null && shaft >= positive_limit;
+    case "home": {
+      if (home === null) return false;
+      if (axis.circumference === null) return home[0] <= shaft && shaft <= home[1];
+      const behind = (around(axis, shaft) - around(axis, home[0]) + 1) % 1;
+      return behind <= (home[1] - home[0]) / axis.circumference;
+    }
+  }
+}
+
 /** Whether a switch that is held somewhere is pressed by the carriage: a limit also behind it, the home switch near it. */
 export function covers(axis: MachineAxis, role: SwitchRole, at: number): boolean {
   const half = axis.home ? Math.max(1, (axis.home[1] - axis.home[0]) / 2) : 1;

@@ -8,7 +8,7 @@ import { count, parseWhole } from "../state/format.ts";
 import { Press } from "../state/press.ts";
 import { base } from "../ui/styles.ts";
 import { attempt, say } from "../ui/toast.ts";
-import { type Lane, type SwitchRole, arc, around, covers, lane } from "./machine-geometry.ts";
+import { type Lane, type SwitchRole, arc, around, covers, lane, touches } from "./machine-geometry.ts";
 import { Tab } from "./tab.ts";
 
 const ASK_MS = 80;
@@ -206,11 +206,11 @@ class MachineView extends Tab {
     if (this.isConnected) this.#timer = window.setTimeout(() => void this.#ask(), this.problem ? 1000 : ASK_MS);
   }
 
-  /** Presses or lets go the switch that is held, as the carriage comes and goes. */
+  /** Presses or lets go the switch that is held, as the carriage comes and goes; what it does there by itself stays. */
   #follow(): void {
     const { drag } = this;
     const axis = drag && this.machine?.axes[drag.axis];
-    if (drag && axis) drag.press.set(covers(axis, drag.role, drag.at));
+    if (drag && axis) drag.press.set(covers(axis, drag.role, drag.at) !== touches(axis, drag.role));
   }
 
   /** Moves the carriages of the drawing after the shafts. */

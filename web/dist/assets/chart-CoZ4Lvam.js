@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-BJ1xna7H.js";import"./curves-BBl6FHVS.js";import{t as r}from"./tab-CRxZ_nNP.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
