@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,v as f,y as p}from"./index-B-xEHPsm.js";import{t as m}from"./tab-PphGOSGD.js";import"./curves--NKEqjb2.js";import{t as h}from"./axis-picker-B8UVUnv6.js";var g=e`
+import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,v as f,y as p}from"./index-ZLVAc8tE.js";import{t as m}from"./tab-BDLTnKaz.js";import"./curves-D5Tt_YxR.js";import{t as h}from"./axis-picker-B8t5D1Zv.js";var g=e`
   .lamp {
     display: inline-flex;
     align-items: center;

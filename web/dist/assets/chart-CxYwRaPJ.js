@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-B-xEHPsm.js";import"./curves--NKEqjb2.js";import{t as r}from"./tab-PphGOSGD.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
