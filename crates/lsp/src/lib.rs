@@ -10,11 +10,15 @@
 //!
 //! - `server` is the conversation: its phases, the documents that are open, each request.
 //! - `program` is what a language has to say about a text; `tmcl` and `ascript` say it.
-//! - `text` counts characters as editors do; `uri` finds files beside each other.
+//! - `answers` says it in the types and units of an editor; `text` counts characters as editors do, `layout` makes
+//!   small changes of a new layout, `uri` finds files beside each other.
 //! - `protocol` has the types of messages.
 
+mod answers;
 mod ascript;
+mod capabilities;
 mod document;
+mod layout;
 mod program;
 mod protocol;
 mod server;

@@ -48,6 +48,114 @@ pub(crate) struct Finding {
     pub(crate) message: String,
 }
 
+/// What a piece of a text is, for its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum TokenKind {
+    Comment,
+    /// A command, or a word of the language's own.
+    Keyword,
+    /// Something that the device does.
+    Action,
+    /// A label, a subroutine or a program.
+    Label,
+    /// A name for a number.
+    Constant,
+    Variable,
+    /// A parameter or a register.
+    Parameter,
+    /// A word that stands for a number in one place.
+    Option,
+    Number,
+    Operator,
+    Directive,
+    File,
+}
+
+/// A piece of a text, within a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Token {
+    pub(crate) span: Span,
+    pub(crate) kind: TokenKind,
+    /// Whether it is defined here.
+    pub(crate) defines: bool,
+}
+
+/// A place where a name stands: of a label, a constant, a variable, a subroutine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Name {
+    /// The same at all places of the same name.
+    pub(crate) key: String,
+    /// The text that it is in: 0 is the program's own, others are those that [`Program::file`] gives.
+    pub(crate) file: usize,
+    pub(crate) span: Span,
+    /// Whether it is defined here, or gets a value.
+    pub(crate) defines: bool,
+}
+
+/// A part of a program that has a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Part {
+    pub(crate) name: String,
+    pub(crate) detail: String,
+    /// Whether it is executed; a constant is not.
+    pub(crate) is_code: bool,
+    /// All of it.
+    pub(crate) span: Span,
+    /// Its name.
+    pub(crate) name_span: Span,
+}
+
+/// Lines that can be folded away behind the first of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Fold {
+    /// From 1.
+    pub(crate) first: usize,
+    pub(crate) last: usize,
+    pub(crate) is_comment: bool,
+}
+
+/// Something that may be typed next.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Proposal {
+    pub(crate) label: String,
+    pub(crate) kind: TokenKind,
+    /// One line beside the label.
+    pub(crate) detail: String,
+    /// More of it, as Markdown.
+    pub(crate) text: String,
+    /// What is inserted, if it is not the label.
+    pub(crate) insert: Option<String>,
+    /// The same with places to fill in, for editors that can.
+    pub(crate) snippet: Option<String>,
+    /// What it is found by, if that is not the label.
+    pub(crate) filter: Option<String>,
+}
+
+impl Proposal {
+    pub(crate) fn new(label: impl Into<String>, kind: TokenKind, detail: impl Into<String>) -> Self {
+        Self {
+            label: label.into(),
+            kind,
+            detail: detail.into(),
+            text: String::new(),
+            insert: None,
+            snippet: None,
+            filter: None,
+        }
+    }
+}
+
+/// How a command is written, while it is typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Signature {
+    pub(crate) form: String,
+    /// Bytes of the form that are its parameters, and what there is to say about them.
+    pub(crate) parameters: Vec<(Span, String)>,
+    /// The one that is being typed.
+    pub(crate) active: usize,
+    pub(crate) text: String,
+}
+
 /// A text that is understood as far as it is right.
 pub(crate) trait Program: Send {
     /// Errors and warnings, in the order of the text.
@@ -57,6 +165,59 @@ pub(crate) trait Program: Send {
     fn includes(&self) -> &[String] {
         &[]
     }
+
+    /// A file that names stand in; `None` for the program's own, and for one that is no file.
+    fn file(&self, _number: usize) -> Option<&Source> {
+        None
+    }
+
+    /// The pieces of the text, in its order.
+    fn tokens(&self) -> Vec<Token>;
+
+    /// All names, in the order of files and places.
+    fn names(&self) -> &[Name];
+
+    /// What a name becomes that is to be called so.
+    ///
+    /// # Errors
+    /// Why it cannot be called so.
+    fn renamed(&self, name: &Name, to: &str) -> Result<String, String>;
+
+    /// Its parts, in the order of the text.
+    fn outline(&self) -> Vec<Part>;
+
+    /// What can be folded, in any order.
+    fn folds(&self) -> Vec<Fold>;
+
+    /// What may be typed at a place, and the bytes before it that are its beginning.
+    fn proposals(&self, at: usize) -> (Span, Vec<Proposal>);
+
+    /// What there is to say about a place, as Markdown, and the place.
+    fn hover(&self, at: usize) -> Option<(Span, String)>;
+
+    /// How the command is written that is being typed.
+    fn signature(&self, at: usize) -> Option<Signature>;
+
+    /// The text in its usual layout; `None` if it has to be right first.
+    fn formatted(&self) -> Option<String>;
+}
+
+/// Which name stands at a place of the program's own text. Behind its last character is still there.
+pub(crate) fn name_at(names: &[Name], at: usize) -> Option<&Name> {
+    names.iter().find(|name| name.file == 0 && name.span.start <= at && at <= name.span.end)
+}
+
+/// Comments of their own that stand below each other.
+pub(crate) fn comment_folds(lines: impl Iterator<Item = (usize, bool)>) -> Vec<Fold> {
+    let mut folds: Vec<Fold> = Vec::new();
+    for (line, _) in lines.filter(|(_, is_comment)| *is_comment) {
+        match folds.last_mut() {
+            Some(fold) if fold.last + 1 == line => fold.last = line,
+            _ => folds.push(Fold { first: line, last: line, is_comment: true }),
+        }
+    }
+    folds.retain(|fold| fold.first < fold.last);
+    folds
 }
 
 /// What is around a document.
@@ -94,6 +255,42 @@ struct Unread(Option<Finding>);
 impl Program for Unread {
     fn findings(&self) -> Vec<Finding> {
         self.0.iter().cloned().collect()
+    }
+
+    fn tokens(&self) -> Vec<Token> {
+        Vec::new()
+    }
+
+    fn names(&self) -> &[Name] {
+        &[]
+    }
+
+    fn renamed(&self, _: &Name, _: &str) -> Result<String, String> {
+        Err("nothing here has a name".into())
+    }
+
+    fn outline(&self) -> Vec<Part> {
+        Vec::new()
+    }
+
+    fn folds(&self) -> Vec<Fold> {
+        Vec::new()
+    }
+
+    fn proposals(&self, at: usize) -> (Span, Vec<Proposal>) {
+        (at..at, Vec::new())
+    }
+
+    fn hover(&self, _: usize) -> Option<(Span, String)> {
+        None
+    }
+
+    fn signature(&self, _: usize) -> Option<Signature> {
+        None
+    }
+
+    fn formatted(&self) -> Option<String> {
+        None
     }
 }
 

@@ -2,12 +2,23 @@
 
 pub(crate) use gen_lsp_types::json_rpc::{Error, Id, RequestObject, ResponseObject};
 pub(crate) use gen_lsp_types::{
-    Code, ConfigurationItem, ConfigurationParams, ConfigurationRequest, Diagnostic, DiagnosticSeverity,
-    DidChangeConfigurationParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
-    DidOpenTextDocumentParams, ErrorCodes, InitializeParams, InitializeResult, LspNotificationMethod,
-    LspRequestMethod, Message, Position, PositionEncodingKind, PublishDiagnosticsNotification,
-    PublishDiagnosticsParams, Range, ServerCapabilities, ServerInfo, TextDocumentContentChangeEvent,
-    TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, Uri,
+    ActiveParameter, Code, CompletionItem, CompletionItemKind, CompletionItemTextEdit, CompletionList,
+    CompletionOptions, CompletionRequest, CompletionResponse, ConfigurationItem, ConfigurationParams,
+    ConfigurationRequest, Contents, Definition, DefinitionRequest, DefinitionResponse, Diagnostic,
+    DiagnosticSeverity, DidChangeConfigurationParams, DidChangeTextDocumentParams,
+    DidCloseTextDocumentParams, DidOpenTextDocumentParams, DocumentFormattingRequest, DocumentHighlight,
+    DocumentHighlightKind, DocumentHighlightRequest, DocumentSymbol, DocumentSymbolRequest,
+    DocumentSymbolResponse, Documentation, ErrorCodes, FoldingRange, FoldingRangeKind, FoldingRangeRequest,
+    Full, Hover, HoverRequest, InitializeParams, InitializeResult, InsertTextFormat, Location,
+    LspNotificationMethod, LspRequestMethod, MarkupContent, MarkupKind, Message, ParameterInformation,
+    ParameterInformationLabel, Position, PositionEncodingKind, PrepareRenamePlaceholder,
+    PrepareRenameRequest, PrepareRenameResult, PublishDiagnosticsNotification, PublishDiagnosticsParams,
+    Range, ReferencesRequest, RenameOptions, RenameProvider, RenameRequest, Request, SemanticToken,
+    SemanticTokenModifiers, SemanticTokenTypes, SemanticTokens, SemanticTokensLegend, SemanticTokensOptions,
+    SemanticTokensProvider, SemanticTokensRequest, ServerCapabilities, ServerInfo, SignatureHelp,
+    SignatureHelpOptions, SignatureHelpRequest, SignatureInformation, SymbolKind,
+    TextDocumentContentChangeEvent, TextDocumentPositionParams, TextDocumentSync, TextDocumentSyncKind,
+    TextDocumentSyncOptions, TextEdit, Uri, WorkspaceEdit,
 };
 use serde_json::Value;
 
@@ -43,4 +54,9 @@ pub(crate) fn read(text: &str) -> Result<Incoming, Error> {
 /// An error with a sentence.
 pub(crate) fn error(code: ErrorCodes, message: impl Into<String>) -> Error {
     Error { code, message: message.into(), data: None }
+}
+
+/// A text of Markdown.
+pub(crate) fn markdown(value: impl Into<String>) -> MarkupContent {
+    MarkupContent { kind: MarkupKind::Markdown, value: value.into() }
 }

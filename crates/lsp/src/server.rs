@@ -2,16 +2,19 @@
 
 use crate::{
     Files,
+    answers::Asked,
+    capabilities::capabilities,
     document::Document,
-    program::{self, Finding, Surroundings, Tongue},
+    program::{self, Surroundings, Tongue},
     protocol::{
-        Code, ConfigurationItem, ConfigurationParams, ConfigurationRequest, Diagnostic, DiagnosticSeverity,
-        DidChangeConfigurationParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
-        DidOpenTextDocumentParams, Error, ErrorCodes, Id, Incoming, InitializeParams, InitializeResult,
-        LspNotificationMethod, LspRequestMethod, Message, PublishDiagnosticsNotification,
-        PublishDiagnosticsParams, RequestObject, ResponseObject, ServerCapabilities, ServerInfo,
-        TextDocumentContentChangeEvent, TextDocumentSync, TextDocumentSyncKind, TextDocumentSyncOptions, Uri,
-        error, read,
+        CompletionRequest, ConfigurationItem, ConfigurationParams, ConfigurationRequest, DefinitionRequest,
+        Diagnostic, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
+        DidOpenTextDocumentParams, DocumentFormattingRequest, DocumentHighlightRequest,
+        DocumentSymbolRequest, Error, ErrorCodes, FoldingRangeRequest, HoverRequest, Id, Incoming,
+        InitializeParams, InitializeResult, LspNotificationMethod, LspRequestMethod, PrepareRenameRequest,
+        PublishDiagnosticsNotification, PublishDiagnosticsParams, ReferencesRequest, RenameRequest, Request,
+        RequestObject, ResponseObject, SemanticTokensRequest, ServerInfo, SignatureHelpRequest,
+        TextDocumentContentChangeEvent, TextDocumentPositionParams, Uri, error, read,
     },
     text::Encoding,
     uri,
@@ -52,6 +55,8 @@ pub struct Server {
     default_model: Option<&'static Model>,
     model: Option<&'static Model>,
     encoding: Encoding,
+    /// Whether the editor knows texts with places to be filled in.
+    snippets: bool,
     /// Whether the editor can be asked for its settings.
     has_settings: bool,
     documents: BTreeMap<String, Document>,
@@ -69,6 +74,7 @@ impl Server {
             default_model: model,
             model,
             encoding: Encoding::default(),
+            snippets: false,
             has_settings: false,
             documents: BTreeMap::new(),
             out: Vec::new(),
@@ -124,12 +130,76 @@ impl Server {
                 self.phase = Phase::Closing;
                 Ok(Value::Null)
             }
-            (Phase::Running, _) => {
-                let message = format!("there is no `{method}` here");
-                Err(error(ErrorCodes::MethodNotFound, message))
-            }
+            (Phase::Running, _) => self.question(&method, params),
             _ => Err(error(ErrorCodes::InvalidRequest, "nothing comes after `shutdown`")),
         }
+    }
+
+    /// A question about a document. One that is not open is answered with nothing.
+    fn question(&self, method: &LspRequestMethod<'_>, params: Value) -> Result<Value, Error> {
+        use LspRequestMethod as Method;
+        match method {
+            Method::TextDocumentCompletion => query::<CompletionRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                Some(asked.completion(at))
+            }),
+            Method::TextDocumentHover => query::<HoverRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.hover(at)
+            }),
+            Method::TextDocumentSignatureHelp => query::<SignatureHelpRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.signature(at)
+            }),
+            Method::TextDocumentDefinition => query::<DefinitionRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.definition(at)
+            }),
+            Method::TextDocumentReferences => query::<ReferencesRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.references(at, params.context.include_declaration)
+            }),
+            Method::TextDocumentDocumentHighlight => query::<DocumentHighlightRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.highlights(at)
+            }),
+            Method::TextDocumentPrepareRename => query::<PrepareRenameRequest>(params, |params| {
+                let (asked, at) = self.at(&params.text_document_position_params)?;
+                asked.prepare_rename(at)
+            }),
+            Method::TextDocumentRename => {
+                let params: <RenameRequest as Request>::Params = typed(params)?;
+                let Some((asked, at)) = self.at(&params.text_document_position_params) else {
+                    return Ok(Value::Null);
+                };
+                let edit = asked.rename(at, &params.new_name);
+                value(&edit.map_err(|message| error(ErrorCodes::InvalidParams, message))?)
+            }
+            Method::TextDocumentDocumentSymbol => query::<DocumentSymbolRequest>(params, |params| {
+                Some(self.asked(&params.text_document.uri)?.symbols())
+            }),
+            Method::TextDocumentFoldingRange => query::<FoldingRangeRequest>(params, |params| {
+                Some(self.asked(&params.text_document.uri)?.folds())
+            }),
+            Method::TextDocumentSemanticTokensFull => query::<SemanticTokensRequest>(params, |params| {
+                Some(self.asked(&params.text_document.uri)?.tokens())
+            }),
+            Method::TextDocumentFormatting => query::<DocumentFormattingRequest>(params, |params| {
+                self.asked(&params.text_document.uri)?.formatting()
+            }),
+            _ => Err(error(ErrorCodes::MethodNotFound, format!("there is no `{method}` here"))),
+        }
+    }
+
+    fn asked(&self, uri: &Uri) -> Option<Asked<'_>> {
+        let document = self.documents.get(&uri.0)?;
+        Some(Asked { document, encoding: self.encoding, snippets: self.snippets })
+    }
+
+    /// A document, and the byte of a position in it.
+    fn at(&self, params: &TextDocumentPositionParams) -> Option<(Asked<'_>, usize)> {
+        let asked = self.asked(&params.text_document.uri)?;
+        Some((asked, self.encoding.offset(&asked.document.source, params.position)))
     }
 
     fn notification(&mut self, method: &str, params: Value) {
@@ -167,30 +237,20 @@ impl Server {
         if let Some(options) = &params.initialization_options {
             self.set_model(options);
         }
-        let capabilities = &params.capabilities;
-        let offered = capabilities.general.as_ref().and_then(|general| general.position_encodings.as_deref());
+        let client = &params.capabilities;
+        let offered = client.general.as_ref().and_then(|general| general.position_encodings.as_deref());
         self.encoding = Encoding::choose(offered.unwrap_or_default());
+        let completion = client.text_document.as_ref().and_then(|document| document.completion.as_ref());
+        let item = completion.and_then(|completion| completion.completion_item.as_ref());
+        self.snippets = item.and_then(|item| item.snippet_support).unwrap_or(false);
         self.has_settings =
-            capabilities.workspace.as_ref().and_then(|workspace| workspace.configuration).unwrap_or(false);
+            client.workspace.as_ref().and_then(|workspace| workspace.configuration).unwrap_or(false);
         InitializeResult {
-            capabilities: self.capabilities(),
+            capabilities: capabilities(self.encoding),
             server_info: Some(ServerInfo {
                 name: "pulsetrain".into(),
                 version: Some(env!("CARGO_PKG_VERSION").into()),
             }),
-        }
-    }
-
-    fn capabilities(&self) -> ServerCapabilities {
-        let sync = TextDocumentSyncOptions {
-            open_close: Some(true),
-            change: Some(TextDocumentSyncKind::Full),
-            ..TextDocumentSyncOptions::default()
-        };
-        ServerCapabilities {
-            position_encoding: Some(self.encoding.kind()),
-            text_document_sync: Some(TextDocumentSync::Options(sync)),
-            ..ServerCapabilities::default()
         }
     }
 
@@ -264,10 +324,11 @@ impl Server {
         let tongue = Tongue::of(&uri, &language, self.model);
         let around = Surroundings { documents: &self.documents, files: &*self.files };
         let program = program::read(&source, tongue, &around);
-        let diagnostics =
-            program.findings().iter().map(|finding| self.diagnostic(&source, finding)).collect();
+        let document = Document { uri: uri.clone(), language, version, source, program };
+        let asked = Asked { document: &document, encoding: self.encoding, snippets: self.snippets };
+        let diagnostics = asked.diagnostics();
         self.publish(&uri, Some(version), diagnostics);
-        self.documents.insert(uri.clone(), Document { uri, language, version, source, program });
+        self.documents.insert(uri, document);
     }
 
     fn read_again(&mut self, which: impl Fn(&Document) -> bool) {
@@ -284,18 +345,6 @@ impl Server {
         }
     }
 
-    fn diagnostic(&self, source: &Source, finding: &Finding) -> Diagnostic {
-        let severity = if finding.is_error { DiagnosticSeverity::Error } else { DiagnosticSeverity::Warning };
-        Diagnostic {
-            range: self.encoding.range(source, &finding.span),
-            severity: Some(severity),
-            code: finding.code.clone().map(Code::String),
-            source: Some("pulsetrain".into()),
-            message: Message::String(finding.message.clone()),
-            ..Diagnostic::default()
-        }
-    }
-
     fn publish(&mut self, uri: &str, version: Option<i32>, diagnostics: Vec<Diagnostic>) {
         let params = PublishDiagnosticsParams { uri: Uri(uri.to_owned()), version, diagnostics };
         self.send(&RequestObject::from_notification::<PublishDiagnosticsNotification>(params));
@@ -306,6 +355,11 @@ impl Document {
     fn includes(&self, uri: &str) -> bool {
         self.program.includes().iter().any(|include| uri::same(include, uri))
     }
+}
+
+/// Answers a question of this type.
+fn query<R: Request>(params: Value, answer: impl FnOnce(R::Params) -> R::Result) -> Result<Value, Error> {
+    value(&answer(typed(params)?))
 }
 
 /// The parameters of a message.

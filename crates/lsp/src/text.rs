@@ -61,7 +61,6 @@ impl Encoding {
         Range { start: self.position(source, span.start), end: self.position(source, span.end) }
     }
 
-    #[cfg(test)]
     /// The byte at a position. What lies beyond the end of a line or of the text is its end, what lies within a
     /// character its beginning.
     pub(crate) fn offset(self, source: &Source, position: Position) -> usize {

@@ -2,7 +2,7 @@
 
 use super::{Setting, Usage};
 use crate::parameter::{Parameter, Table};
-use ::tmcl::isa::{Instruction, Mode, Role, TABLE};
+use ::tmcl::isa::{Instruction, Mode, TABLE};
 use alloc::{format, string::String, vec::Vec};
 
 extern crate alloc;
@@ -80,15 +80,7 @@ fn syntax(name: &str, entry: &Instruction) -> String {
     if entry.mnemonic.is_none() {
         return format!("{name}, type, motor, value");
     }
-    let operands = entry.operands.iter().map(|operand| {
-        let what = match operand.role {
-            Role::Keyword(words) => words.iter().map(|word| word.name).collect::<Vec<_>>().join("|"),
-            _ => operand.name().into(),
-        };
-        if operand.optional { format!("[{what}]") } else { what }
-    });
-    let operands: Vec<_> = operands.collect();
-    if operands.is_empty() { name.into() } else { format!("{name} {}", operands.join(", ")) }
+    entry.form().replace(['<', '>'], "")
 }
 
 #[cfg(test)]

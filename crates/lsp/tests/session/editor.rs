@@ -98,3 +98,151 @@ impl Editor {
         &self.marks[uri]
     }
 }
+
+/// A document with a `|` where the cursor is, and its editor.
+pub struct Cursor {
+    pub editor: Editor,
+    uri: &'static str,
+    /// Where.
+    params: Value,
+}
+
+impl Cursor {
+    #[track_caller]
+    pub fn new(model: Option<&str>, uri: &'static str, text: &str) -> Self {
+        Self::with(Editor::new(model), uri, text)
+    }
+
+    #[track_caller]
+    pub fn with(mut editor: Editor, uri: &'static str, text: &str) -> Self {
+        let (before, after) = text.split_once('|').expect("a cursor");
+        editor.open(uri, &[before, after].concat());
+        let line = before.matches('\n').count();
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        let character = before[start..].encode_utf16().count();
+        let params =
+            json!({"textDocument": {"uri": uri}, "position": {"line": line, "character": character}});
+        Self { editor, uri, params }
+    }
+
+    /// Asks about the cursor's place.
+    pub fn ask(&mut self, method: &str, more: Value) -> Value {
+        let mut params = self.params.clone();
+        params.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
+        self.editor.request(&format!("textDocument/{method}"), &params)
+    }
+
+    /// What is proposed, as `label -> new text`, and the detail behind it.
+    pub fn proposals(&mut self) -> Vec<String> {
+        let list = self.ask("completion", json!({}));
+        let items = list["items"].as_array().expect("a list").iter().map(|item| {
+            let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+            let (label, new) = (text(&item["label"]), text(&item["textEdit"]["newText"]));
+            let new = if label == new { String::new() } else { format!(" -> {new}") };
+            let detail = text(&item["detail"]);
+            let detail = if detail.is_empty() { detail } else { format!(" ({detail})") };
+            format!("{label}{new}{detail}")
+        });
+        items.collect()
+    }
+
+    /// What there is to say.
+    pub fn hover(&mut self) -> Option<String> {
+        let hover = self.ask("hover", json!({}));
+        Some(hover["contents"]["value"].as_str()?.to_owned())
+    }
+
+    /// The form of a command, with its active parameter in `«»`.
+    pub fn signature(&mut self) -> Option<String> {
+        let help = self.ask("signatureHelp", json!({}));
+        let label = help["signatures"][0]["label"].as_str()?;
+        let active =
+            &help["signatures"][0]["parameters"][help["activeParameter"].as_u64()? as usize]["label"];
+        let Some((start, end)) = active[0].as_u64().zip(active[1].as_u64()) else {
+            return Some(label.into());
+        };
+        let (start, end) = (start as usize, end as usize);
+        Some(format!("{}«{}»{}", &label[..start], &label[start..end], &label[end..]))
+    }
+
+    /// Places as `name line:character`, of other documents than the cursor's.
+    pub fn places(&mut self, method: &str, more: Value) -> Vec<String> {
+        let found = self.ask(method, more);
+        let Some(found) = found.as_array() else { return Vec::new() };
+        let places = found.iter().map(|place| {
+            let start = &place["range"]["start"];
+            let uri = place["uri"].as_str().unwrap_or(self.uri);
+            let file = if uri == self.uri { "" } else { uri.rsplit('/').next().expect("a name") };
+            format!("{file}{}:{}", start["line"], start["character"])
+        });
+        places.collect()
+    }
+
+    /// The text after a renaming, or why there is none.
+    pub fn renamed(&mut self, text: &str, to: &str) -> Result<String, String> {
+        let edit = self.ask("rename", json!({"newName": to}));
+        match edit["changes"].get(self.uri) {
+            Some(edits) => Ok(apply(&text.replace('|', ""), edits)),
+            None => Err(edit["message"].as_str().expect("a reason").into()),
+        }
+    }
+
+    /// The result of a question about the whole document.
+    pub fn whole(&mut self, method: &str) -> Value {
+        let params =
+            json!({"textDocument": {"uri": self.uri}, "options": {"tabSize": 4, "insertSpaces": true}});
+        self.editor.request(&format!("textDocument/{method}"), &params)
+    }
+}
+
+/// A text after some changes. Its lines end with a line feed, and it is ASCII.
+pub fn apply(text: &str, edits: &Value) -> String {
+    let offset = |place: &Value| {
+        let number = |key: &str| place[key].as_u64().expect("a number") as usize;
+        text.split_inclusive('\n').take(number("line")).map(str::len).sum::<usize>() + number("character")
+    };
+    let edits = edits.as_array().expect("a list").iter().map(|edit| {
+        let range = &edit["range"];
+        (offset(&range["start"])..offset(&range["end"]), edit["newText"].as_str().expect("a text"))
+    });
+    let mut edits: Vec<_> = edits.collect();
+    edits.sort_by_key(|(range, _)| range.start);
+    let mut text = text.to_owned();
+    for (range, new) in edits.into_iter().rev() {
+        text.replace_range(range, new);
+    }
+    text
+}
+
+/// The coloured pieces of a text, as `text kind`, with a `*` where something is defined.
+pub fn colours(editor: &mut Editor, uri: &str, text: &str) -> Vec<String> {
+    let hello = editor.request("textDocument/semanticTokens/full", &json!({"textDocument": {"uri": uri}}));
+    let legend = lsp_legend();
+    let (mut line, mut character) = (0, 0);
+    let numbers: Vec<usize> = hello["data"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|n| n.as_u64().expect("a number") as usize)
+        .collect();
+    let lines: Vec<Vec<u16>> = text.lines().map(|line| line.encode_utf16().collect()).collect();
+    numbers
+        .chunks(5)
+        .map(|token| {
+            character = if token[0] == 0 { character + token[1] } else { token[1] };
+            line += token[0];
+            let piece = String::from_utf16_lossy(&lines[line][character..character + token[2]]);
+            format!("{piece} {}{}", legend[token[3]], if token[4] & 1 == 1 { "*" } else { "" })
+        })
+        .collect()
+}
+
+/// Names of kinds of pieces, as the server tells them.
+fn lsp_legend() -> Vec<String> {
+    let mut server = Server::new(None, Box::new(NoFiles));
+    let params = json!({"processId": null, "rootUri": null, "capabilities": {}});
+    let hello = json!({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": params});
+    let answer: Value = serde_json::from_str(&server.handle(&hello.to_string())[0]).expect("JSON");
+    let types = &answer["result"]["capabilities"]["semanticTokensProvider"]["legend"]["tokenTypes"];
+    types.as_array().expect("a list").iter().map(|name| name.as_str().expect("a name").into()).collect()
+}
