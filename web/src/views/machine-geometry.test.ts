@@ -49,6 +49,7 @@ test("a switch at its place is pressed by the carriage alone", () => {
   check({ ...round, shaft: 4150 }, [false, true, false]);
   check({ ...round, shaft: 1990 }, [false, false, false]);
   check({ ...round, home: [1990, 2010], shaft: 5 }, [false, true, false]);
+  check({ ...round, home: [1990, 2010], shaft: 1000 }, [false, false, false]);
 });
 
 test("a switch that is dragged to the carriage is pressed", () => {
