@@ -35,6 +35,10 @@ class Controller extends LitElement {
   readonly #elements = new Map<string, Tab>();
   #timer = 0;
   readonly #refresh = () => this.requestUpdate();
+  readonly #connection = () => {
+    this.requestUpdate();
+    if (!this.#live?.connected) void this.#isGone();
+  };
 
   static override styles = [
     base,
@@ -118,7 +122,7 @@ class Controller extends LitElement {
       this.#catalog = await this.api.catalog(device.model);
       if (!this.isConnected) return;
       this.#live = new LiveStore(this.api, this.name);
-      this.#live.addEventListener("connection", this.#refresh);
+      this.#live.addEventListener("connection", this.#connection);
       this.#live.addEventListener("link", this.#refresh);
       this.#live.open();
       this.problem = null;
@@ -127,6 +131,14 @@ class Controller extends LitElement {
       this.problem = reason(error);
       if (this.isConnected) this.#timer = window.setTimeout(() => void this.#open(), RETRY_MS);
     }
+  }
+
+  /** Whether the server is there and the controller is not: then nobody comes back. */
+  async #isGone(): Promise<void> {
+    const devices = await this.api.devices().catch(() => null);
+    if (!devices || devices.some((one) => one.name === this.name)) return;
+    this.#live?.close();
+    this.problem = `“${this.name}” has been removed.`;
   }
 
   override updated(): void {

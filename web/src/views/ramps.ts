@@ -55,7 +55,9 @@ class Ramps extends Tab {
     if (changed.has("catalog")) this.axis = this.#owners()[0] ?? null;
   }
 
-  override updated(): void {
+  override updated(changed: Map<string, unknown>): void {
+    // Elsewhere they may have been changed meanwhile.
+    if (changed.has("active") && this.active) this.#read = false;
     if (!this.#read && this.reachable && this.active) {
       this.#read = true;
       void this.#readAll();

@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,v as f,y as p}from"./index-ZLVAc8tE.js";import{t as m}from"./tab-BDLTnKaz.js";import"./curves-D5Tt_YxR.js";import{t as h}from"./axis-picker-B8t5D1Zv.js";var g=e`
+import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,v as f,y as p}from"./index-DveL-TyO.js";import{t as m}from"./tab-Ts_incmY.js";import"./curves-swr3sfrc.js";import{t as h}from"./axis-picker-BnQsKOVo.js";var g=e`
   .lamp {
     display: inline-flex;
     align-items: center;
@@ -333,7 +333,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       select {
         width: auto;
       }
-    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(){!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(w(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of w(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&d(`${e}: ${c(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return p;let t=w(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return n`
+    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(w(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of w(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&d(`${e}: ${c(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return p;let t=w(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return n`
       <form class="panel stack" @submit=${this.#a}>
         <div class="row"><h2 class="grow">Speeds and ramps</h2>
           ${e.length>1?n`<select aria-label="Whose" @change=${this.#i}>

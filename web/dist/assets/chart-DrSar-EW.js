@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-ZLVAc8tE.js";import"./curves-D5Tt_YxR.js";import{t as r}from"./tab-BDLTnKaz.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
