@@ -119,7 +119,9 @@ export function at(profile: Profile, seconds: number): Point {
   return { seconds: clamped, pps, pulses: profile.pulses - left };
 }
 
-/** Points of the curves, evenly in time, the ends included. */
+/** Points of the curves: so many evenly in time, the ends included, and the corners between ramps and cruise. */
 export function points(profile: Profile, count: number): Point[] {
-  return Array.from({ length: count }, (_, n) => at(profile, (profile.seconds * n) / (count - 1)));
+  const even = Array.from({ length: count }, (_, n) => (profile.seconds * n) / (count - 1));
+  const corners = [profile.up.seconds, profile.up.seconds + profile.cruiseSeconds];
+  return [...even, ...corners].sort((a, b) => a - b).map((seconds) => at(profile, seconds));
 }

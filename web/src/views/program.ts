@@ -258,13 +258,13 @@ class Program extends Tab {
   }
 
   /** Shows what the compiler says; true if the program is right. */
-  #told(compiled: Compiled): boolean {
+  #told(compiled: Compiled, quietly = false): boolean {
     this.compiled = compiled;
     const errors = compiled.diagnostics.filter(({ is_error }) => is_error).length;
     if (!compiled.ok) {
       this.below = "messages";
       say(errors === 1 ? "1 error" : `${errors} errors`, "error");
-    } else {
+    } else if (!quietly) {
       say(`Compiled: ${this.#size(compiled.size)}`);
     }
     return compiled.ok;
@@ -279,11 +279,11 @@ class Program extends Tab {
     return this.#work("Downloading…", async () => {
       const text = this.#text;
       // Errors are shown as the compiler gives them, before anything is sent to the controller.
-      if (!this.#told(await this.api.compile(this.device.name, text))) return;
+      if (!this.#told(await this.api.compile(this.device.name, text), true)) return;
       const compiled = await this.api.download(this.device.name, text);
-      if (!this.#told(compiled)) return;
+      if (!this.#told(compiled, true)) return;
       this.#has(text, compiled);
-      say("Downloaded");
+      say(`Downloaded: ${this.#size(compiled.size)}`);
     });
   }
 

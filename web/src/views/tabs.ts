@@ -19,4 +19,5 @@ export const TABS: TabRow[] = [
   { id: "terminal", title: "Terminal", element: "pt-terminal", load: () => import("./terminal.ts") },
   { id: "parameters", title: "Parameters", element: "pt-parameters", load: () => import("./parameters.ts") },
   { id: "program", title: "Program", element: "pt-program", load: () => import("./program.ts") },
+  { id: "tools", title: "Tools", element: "pt-tools", load: () => import("./tools.ts") },
 ];

@@ -1,0 +1,56 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Catalog } from "../api/contract.ts";
+import { counting, deciding, microsteps, plan, type Values } from "./settings.ts";
+
+const model = (language: Catalog["language"], ids: string[] = []) => {
+  return { language, speed_windows: [], parameters: ids.map((id) => ({ id })) } as unknown as Catalog;
+};
+const TMCL = model("tmcl");
+const ASCII = model("a-script");
+
+const MODULE = { "AP4.0": 1000, "AP5.0": 500, "AP130.0": 1, "AP138.0": 0, "AP140.0": 8, "AP153.0": 3, "AP154.0": 2 };
+const STAGE = { HSPD: 1000, LSPD: 100, ACC: 300, DEC: 200, HSPDX: 0, LSPDX: 0, ACCX: 0, DECX: 0, SCVX: 0, SLX: 0, SLRX: 2.5 };
+
+test("the module's factory settings: 61,035 pps, reached with 7.45 million pps² (6.1)", () => {
+  const { move, notes } = plan(TMCL, "0", MODULE, 51_200);
+  assert.equal(Math.round(move.topPps), 61_035);
+  assert.equal(Math.round(move.acceleration), 7_450_581);
+  assert.equal(move.startPps, move.topPps / 1000);
+  assert.deepEqual(notes, []);
+  assert.equal(microsteps(TMCL, "0", MODULE), 256);
+  assert.deepEqual(counting(TMCL, "0", MODULE), { divisors: { pulse: 2, ramp: 3 } });
+});
+
+test("what the module cannot do, or does otherwise, is said", () => {
+  assert.match(plan(TMCL, "0", { ...MODULE, "AP153.0": 0, "AP5.0": 2000 }, 1).notes.join(), /from 1 to 1023/);
+  assert.match(plan(TMCL, "0", { ...MODULE, "AP138.0": 1 }, 1).notes.join(), /soft approach/);
+});
+
+function check(values: Values, top: number, acceleration: number, deceleration: number) {
+  const { move } = plan(ASCII, "X", values, 100_000);
+  const shown = [move.topPps, move.acceleration, move.deceleration].map(Math.round);
+  assert.deepEqual(shown, [top, acceleration, deceleration]);
+}
+
+test("an axis' own settings come before those of all", () => {
+  check(STAGE, 1000, 3000, 4500);
+  check({ ...STAGE, HSPDX: 2000, ACCX: 500 }, 2000, 3800, 9500);
+});
+
+test("without a deceleration of its own it is the acceleration (PMX-2ED-SA, 7.1)", () => {
+  check({ ...STAGE, EDEC: 0 }, 1000, 3000, 3000);
+  check({ ...STAGE, EDEC: 1 }, 1000, 3000, 4500);
+});
+
+test("in a closed loop speeds and ways are encoder counts", () => {
+  const { move } = plan(ASCII, "X", { ...STAGE, SLX: 1 }, 400);
+  assert.deepEqual([move.pulses, move.topPps], [1000, 2500]);
+  assert.deepEqual(counting(ASCII, "X", STAGE), { pulsesPerCount: 2.5 });
+  assert.equal(microsteps(ASCII, "X", STAGE), null);
+});
+
+test("only what a model has", () => {
+  const catalog = model("a-script", ["HSPDX", "HSPD", "EDEC", "V1"]);
+  assert.deepEqual(deciding(catalog, "X").map(({ id }) => id), ["HSPDX", "HSPD", "EDEC"]);
+});
