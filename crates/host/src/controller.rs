@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::tmcl::Module;
 use crate::traffic::TrafficLog;
 use crate::types::{Action, Answer, Found, ProgramAction, Status, Value};
+use crate::wire::WireError;
 use std::ops::Range;
 
 /// How a controller is reached and shown.
@@ -78,6 +79,14 @@ impl Controller {
     /// # Errors
     /// [`Error`].
     pub async fn identify(&self) -> Result<Found> {
+        match self.identify_once().await {
+            // Somebody else may have been in the middle of something.
+            Err(Error::Wire(WireError::Timeout(_)) | Error::Malformed { .. }) => self.identify_once().await,
+            found => found,
+        }
+    }
+
+    async fn identify_once(&self) -> Result<Found> {
         match &self.kind {
             Kind::Ascii(unit) => unit.identify().await,
             Kind::Tmcl(module) => module.identify().await,

@@ -30,14 +30,21 @@ impl<S: AsyncRead + AsyncWrite + Unpin + Send> StreamWire<S> {
         Self(stream)
     }
 
+    /// Reads what has come; `Closed` at the end of the stream.
+    async fn read(&mut self, room: &mut [u8]) -> Result<usize, WireError> {
+        match self.0.read(room).await? {
+            0 => Err(WireError::Closed),
+            count => Ok(count),
+        }
+    }
+
     /// Throws away what comes until nothing has for so long.
     async fn drain(&mut self, silence: Duration) -> Result<(), WireError> {
         let mut noise = [0; MAX_REPLY_BYTES];
         let mut seen = 0;
         while seen < MAX_NOISE_BYTES {
-            match timeout(silence, self.0.read(&mut noise)).await {
+            match timeout(silence, self.read(&mut noise)).await {
                 Err(_) => return Ok(()),
-                Ok(Ok(0)) => return Err(WireError::Closed),
                 Ok(read) => seen += read?,
             }
         }
@@ -59,10 +66,8 @@ impl<S: AsyncRead + AsyncWrite + Unpin + Send> StreamWire<S> {
             if room == 0 {
                 return Err(WireError::Endless);
             }
-            match self.0.read(&mut part[..room]).await? {
-                0 => return Err(WireError::Closed),
-                read => reply.extend_from_slice(&part[..read]),
-            }
+            let count = self.read(&mut part[..room]).await?;
+            reply.extend_from_slice(&part[..count]);
         }
     }
 }

@@ -192,7 +192,7 @@ pub enum Action {
         /// How: PMX-2ED-SA 0 to 4 in the order of its manual (`H`, `L`, `ZH`, `Z`, `HL`), CMD-4CR 0 to 12, PD42-1140 1
         /// to 8 and what may be added (axis parameter 193).
         mode: u8,
-        /// Which way to begin. On the PD42-1140 the mode says so.
+        /// Which way to begin. On the PD42-1140 it is the end whose switch counts, and the modes above 4 say it themselves.
         #[ts(type = "1 | -1")]
         #[schema(value_type = i8)]
         direction: Direction,

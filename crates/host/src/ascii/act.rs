@@ -1,6 +1,7 @@
 //! What an action is in commands (PMX-2ED-SA manual, 7; CMD-4CR manual, 2).
 
 use super::Unit;
+use super::status::List;
 use crate::bus::Talk;
 use crate::error::{Error, Result};
 use crate::types::{Action, Direction, Level};
@@ -8,6 +9,9 @@ use std::collections::BTreeMap;
 
 /// The homing commands of a Performax in the order of its manual (7.10).
 const PERFORMAX_HOMING: [&str; 5] = ["H", "L", "ZH", "Z", "HL"];
+
+/// The status bit of an axis that follows a joystick (PMX-2ED-SA manual, table 7.2).
+const PERFORMAX_JOYSTICK: i32 = 1 << 10;
 
 impl Unit {
     /// Does something.
@@ -66,7 +70,7 @@ impl Unit {
     }
 
     /// Stops all axes and programs. What a program began between the two is stopped too, and an axis that follows a
-    /// joystick follows it no longer, because it could not be stopped (CMD-4CR manual, 2.5.1.3).
+    /// joystick follows it no longer, because it would go on.
     pub async fn stop_all(&self) -> Result<()> {
         let mut talk = self.bus.talk().await;
         let first = self.tell_in(&mut talk, "STOP").await;
@@ -75,8 +79,15 @@ impl Unit {
             let line = format!("{}{program}=0", self.dialect.control);
             stopped = stopped.and(self.tell_in(&mut talk, &line).await);
         }
-        if matches!(first, Err(Error::Refused { .. })) {
-            let off = if self.is_commander() { "JENA=0" } else { "JF" };
+        let off = if self.is_commander() {
+            // It refuses to stop one (CMD-4CR manual, 2.5.1.3).
+            matches!(first, Err(Error::Refused { .. })).then_some("JENA=0")
+        } else {
+            let status: Result<List> = self.ask_in(&mut talk, "MST").await;
+            let follows = |word: &i32| word & PERFORMAX_JOYSTICK != 0;
+            status.is_ok_and(|List(words)| words.iter().take(2).any(follows)).then_some("JF")
+        };
+        if let Some(off) = off {
             stopped = stopped.and(self.tell_in(&mut talk, off).await);
         }
         self.tell_in(&mut talk, "STOP").await.and(stopped)

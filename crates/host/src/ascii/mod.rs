@@ -167,7 +167,11 @@ fn malformed(line: &str, reply: &str) -> Error {
 pub(crate) async fn identify(bus: &Bus, address: Option<u8>, patience: Duration) -> Result<Found> {
     let mut talk = bus.talk().await;
     let mut ask = async |line: &'static str| accepted(line, say(&mut talk, address, line, patience).await?);
-    let identity = ask("ID").await?;
+    let identity = match ask("ID").await {
+        // Half a line of somebody else stood before it.
+        Err(Error::Refused { .. } | Error::Malformed { .. }) => ask("ID").await?,
+        identity => identity?,
+    };
     let version = ask("VER").await?;
     // A Commander's identity is its number (CMD-4CR manual, 3.3), a Performax has it in its name (PMX manual, 6.3).
     let (model, number) = match identity.as_str() {

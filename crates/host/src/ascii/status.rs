@@ -159,7 +159,7 @@ impl Unit {
 }
 
 /// Numbers with `:` between.
-struct List(Vec<i32>);
+pub(super) struct List(pub Vec<i32>);
 
 impl FromStr for List {
     type Err = std::num::ParseIntError;

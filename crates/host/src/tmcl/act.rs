@@ -3,7 +3,7 @@
 use super::Module;
 use crate::error::{Error, Result};
 use crate::types::{Action, Direction, Level};
-use std::{collections::BTreeMap, sync::atomic::Ordering};
+use std::{collections::BTreeMap, ops::RangeInclusive, sync::atomic::Ordering};
 use tmcl::isa::{Command, MoveKind, RefSearch, opcode};
 
 /// Numbers of axis parameters (TMCL manual, 4).
@@ -27,6 +27,11 @@ pub(super) mod parameter {
 
 /// The ramp mode in which an axis goes on and on (TMCL manual, axis parameter 138).
 const VELOCITY_MODE: i32 = 2;
+
+/// The modes of reference search that look for an end switch, and what is added to them for the other end (TMCL manual,
+/// 7.1). With the others the mode is the direction.
+const END_SWITCH_MODES: RangeInclusive<u8> = 1..=4;
+const OTHER_END: u8 = 64;
 
 /// The bank of outputs, and of those that pull inputs up (TMCL manual, 3.7.14).
 pub(super) const OUTPUT_BANK: u8 = 2;
@@ -60,9 +65,13 @@ impl Module {
                 let motor = axis.as_deref().map_or(Ok(0), |axis| self.axis(axis))?;
                 self.send(Command::new(opcode::MST, 0, motor, 0)).await.map(drop)
             }
-            Action::Home { axis, mode, .. } => {
+            Action::Home { axis, mode, direction } => {
                 let motor = self.axis(axis)?;
-                self.set(motor, parameter::SEARCH_MODE, (*mode).into()).await?;
+                let mode = match direction {
+                    Direction::Positive if END_SWITCH_MODES.contains(mode) => mode + OTHER_END,
+                    _ => *mode,
+                };
+                self.set(motor, parameter::SEARCH_MODE, mode.into()).await?;
                 self.send(Command::new(opcode::RFS, RefSearch::Start as u8, motor, 0)).await.map(drop)
             }
             Action::SetPosition { axis, value } => {

@@ -28,6 +28,8 @@ mod bit {
 impl Module {
     /// Asks for everything there is to see.
     pub async fn status(&self, seconds: f64) -> Result<Status> {
+        let search = Command::new(opcode::RFS, RefSearch::Status as u8, 0, 0);
+        let searching = self.ask(search).await? != 0;
         let position = self.parameter(parameter::ACTUAL_POSITION).await?;
         let speed = self.parameter(parameter::ACTUAL_SPEED).await?;
         let target = self.parameter(parameter::TARGET_POSITION).await?;
@@ -37,8 +39,6 @@ impl Module {
         let left = self.parameter(parameter::LEFT_SWITCH).await? != 0;
         let right = self.parameter(parameter::RIGHT_SWITCH).await? != 0;
         let home = self.parameter(parameter::HOME_SWITCH).await? != 0;
-        let search = Command::new(opcode::RFS, RefSearch::Status as u8, 0, 0);
-        let searching = self.ask(search).await? != 0;
         let program = self.program_status().await?;
         let is_moving = speed != 0;
         let found = self.look_for_errors(position, is_moving, program).await?;

@@ -53,11 +53,11 @@ fn bytes(line: &str) -> Option<[u8; FRAME_LENGTH]> {
 
 /// A command as in programs.
 fn command(line: &str) -> Result<Command> {
-    let assembly = assemble("", line.as_bytes(), &NoFiles);
-    let commands = assembly.program.map(|program| program.commands).unwrap_or_default();
-    match (commands.first(), assembly.diagnostics.first()) {
-        // The assembler ends programs with a STOP.
-        (Some(command), _) if commands.len() <= 2 => Ok(*command),
+    // Without the STOP at the end that programs have.
+    let assembly = assemble("", format!("#nostop\n{line}").as_bytes(), &NoFiles);
+    let commands = assembly.program.map(|program| program.commands);
+    match (commands.as_deref(), assembly.diagnostics.first()) {
+        (Some([command]), _) => Ok(*command),
         (None, Some(problem)) => Err(Error::Value(problem.message.clone())),
         _ => Err(Error::Value("one command at a time".into())),
     }
