@@ -4,11 +4,11 @@
 import { css, html, nothing, unsafeCSS } from "lit";
 import uPlot from "uplot";
 import plotStyles from "uplot/dist/uPlot.min.css?inline";
-import { count, decimal } from "../state/format.ts";
 import { QUANTITIES, type Quantity } from "../state/samples.ts";
 import { save } from "../tools/files.ts";
-import { base } from "../ui/styles.ts";
 import { colour } from "../ui/colour.ts";
+import { base } from "../ui/styles.ts";
+import { type Curve, name, options, resolve } from "./plot.ts";
 import { Tab } from "./tab.ts";
 
 /** What the chart shows, in seconds. */
@@ -16,20 +16,6 @@ const SPAN_S = 60;
 export const MAX_CURVES = 8;
 /** The running time axis never gets further behind or ahead of the newest sample. */
 const MAX_DRIFT_S = 0.25;
-
-interface Curve {
-  axis: string;
-  quantity: Quantity;
-}
-
-/** Which scale a quantity is drawn against. */
-const SCALE: Record<Quantity, string> = {
-  position: "position",
-  encoder: "position",
-  speed: "speed",
-  delta: "delta",
-  load: "load",
-};
 
 export class Curves extends Tab {
   static override properties = {
@@ -301,53 +287,13 @@ export class Curves extends Tab {
     const place = this.renderRoot.querySelector<HTMLElement>(".plot");
     if (!place || !this.catalog) return;
     this.#plot?.destroy();
-    const style = getComputedStyle(this);
-    const ink = resolve(this, "var(--muted)");
-    const grid = { stroke: resolve(this, "var(--line)"), width: 1 };
-    const scales = [...new Set(this.curves.map(({ quantity }) => SCALE[quantity]))];
-    const { units } = this.catalog;
-    const unit: Record<string, string> = { position: units.position, speed: units.speed, delta: units.encoder, load: "" };
+    const size = { width: place.clientWidth || 600, height: this.#plotHeight(place) };
+    // Who zooms wants to look at what there is.
+    const zoomed = () => {
+      if (!this.paused) this.#pause(true);
+    };
     this.#plot = new uPlot(
-      {
-        width: place.clientWidth || 600,
-        height: this.#plotHeight(place),
-        pxAlign: 0,
-        legend: { live: true },
-        cursor: { drag: { x: true, y: false }, points: { size: 6 } },
-        // Who zooms wants to look at what there is.
-        hooks: { setSelect: [(plot) => void (plot.select.width > 0 && !this.paused && this.#pause(true))] },
-        scales: {
-          x: { time: false, auto: false },
-          ...Object.fromEntries(scales.map((scale) => [scale, { range: padded }])),
-        },
-        axes: [
-          { stroke: ink, grid, ticks: grid, font: `11px ${style.fontFamily}`, values: (_, ticks) => ticks.map((tick) => (tick < 0 ? "" : `${number(tick)} s`)) },
-          ...scales.map((scale, n) => ({
-            scale,
-            side: (n % 2 === 0 ? 3 : 1) as 1 | 3,
-            stroke: ink,
-            grid: n === 0 ? grid : { show: false },
-            ticks: grid,
-            font: `11px ${style.fontFamily}`,
-            values: (_: uPlot, ticks: number[]) => ticks.map(number),
-            size: 72,
-            label: unit[scale] ? `${scale} · ${unit[scale]}` : scale,
-            labelFont: `11px ${style.fontFamily}`,
-            labelSize: 18,
-          })),
-        ],
-        series: [
-          { label: "time", value: (_, value) => (value === null ? "–" : `${value.toFixed(3)} s`) },
-          ...this.curves.map((curve, n) => ({
-            label: name(curve),
-            scale: SCALE[curve.quantity],
-            stroke: resolve(this, `var(--curve-${n + 1})`),
-            width: 1.5,
-            points: { show: false },
-            value: (_: uPlot, value: number | null) => number(value),
-          })),
-        ],
-      },
+      options(this, this.curves, this.catalog.units, size, zoomed),
       this.#columnsNow(),
       place,
     );
@@ -396,28 +342,3 @@ export class Curves extends Tab {
   }
 }
 customElements.define("pt-curves", Curves);
-
-function number(value: number | null): string {
-  return value === null || Number.isInteger(value) ? count(value) : decimal(value, 2);
-}
-
-function name({ axis, quantity }: Curve): string {
-  return `${axis} ${quantity}`;
-}
-
-/** A little room above and below, and never an empty range. */
-function padded(_: uPlot, low: number | null, high: number | null): [number, number] {
-  if (low === null || high === null || !Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
-  const room = Math.max((high - low) * 0.06, 1);
-  return [low - room, high + room];
-}
-
-/** A colour of the theme as the canvas wants it. */
-function resolve(host: HTMLElement, value: string): string {
-  const probe = document.createElement("i");
-  probe.style.color = value;
-  host.shadowRoot!.append(probe);
-  const { color } = getComputedStyle(probe);
-  probe.remove();
-  return color;
-}

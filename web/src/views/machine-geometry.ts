@@ -58,6 +58,18 @@ export function arc(axis: MachineAxis, [from, to]: [number, number], radius: num
   return `M ${point(start)} A ${radius} ${radius} 0 ${length > 0.5 ? 1 : 0} 1 ${point(start + length)}`;
 }
 
+/** Where a switch is mounted: the home switch in its middle. */
+export function mount({ home, negative_limit, positive_limit }: MachineAxis, role: SwitchRole): number | null {
+  switch (role) {
+    case "negative limit":
+      return negative_limit;
+    case "positive limit":
+      return positive_limit;
+    case "home":
+      return home && (home[0] + home[1]) / 2;
+  }
+}
+
 /** Whether the carriage presses a switch where that is mounted. */
 export function touches(axis: MachineAxis, role: SwitchRole): boolean {
   const { shaft, home, negative_limit, positive_limit } = axis;

@@ -1,14 +1,15 @@
 // The machine behind a virtual controller, drawn to scale: a stage on its rail, or a shaft that goes round, with its
 // switches. A switch that is dragged to the carriage is pressed, as by hand, and springs back when it is let go.
 
-import { css, html, nothing, svg } from "lit";
+import { html, nothing, svg } from "lit";
 import { reason } from "../api/client.ts";
 import type { Machine, MachineAxis } from "../api/contract.ts";
-import { count, parseWhole } from "../state/format.ts";
+import { count } from "../state/format.ts";
 import { Press } from "../state/press.ts";
 import { base } from "../ui/styles.ts";
-import { attempt, say } from "../ui/toast.ts";
-import { type Lane, type SwitchRole, arc, around, covers, lane, touches } from "./machine-geometry.ts";
+import "./by-hand.ts";
+import { type Lane, type SwitchRole, arc, around, covers, lane, mount, touches } from "./machine-geometry.ts";
+import { machineStyles } from "./machine-styles.ts";
 import { Tab } from "./tab.ts";
 
 const ASK_MS = 80;
@@ -20,7 +21,6 @@ const ROUND = 172;
 const RADIUS = 48;
 /** Index marks nearer to each other than this, in pixels, are not drawn. */
 const MARK_GAP = 5;
-const MAX_LOAD = 1.5;
 
 const ROLES: SwitchRole[] = ["negative limit", "home", "positive limit"];
 const LABELS: Record<SwitchRole, string> = { "negative limit": "−L", home: "H", "positive limit": "+L" };
@@ -54,118 +54,7 @@ class MachineView extends Tab {
     if (entry && entry.contentRect.width > 0) this.width = entry.contentRect.width;
   });
 
-  static override styles = [
-    base,
-    css`
-      .axis + .axis {
-        margin-top: 10px;
-        padding-top: 10px;
-        border-top: 1px solid var(--line);
-      }
-      .head {
-        font-size: 13px;
-      }
-      svg {
-        display: block;
-        width: 100%;
-        font-size: 11px;
-        font-variant-numeric: tabular-nums;
-        touch-action: pan-y;
-      }
-      text {
-        fill: var(--muted);
-      }
-      .rail {
-        stroke: var(--strong-line);
-        stroke-width: 4;
-        stroke-linecap: round;
-        fill: none;
-      }
-      .mark {
-        stroke: var(--line);
-        stroke-width: 1.5;
-      }
-      .home {
-        fill: var(--ok);
-        opacity: 0.75;
-      }
-      .home-arc {
-        stroke: var(--ok);
-        stroke-width: 6;
-        fill: none;
-      }
-      .carriage {
-        fill: var(--accent);
-      }
-      .slack {
-        fill: var(--accent);
-        opacity: 0.25;
-      }
-      .hand {
-        stroke: var(--accent);
-        stroke-width: 4;
-        stroke-linecap: round;
-      }
-      .switch {
-        cursor: grab;
-        touch-action: none;
-        user-select: none;
-        outline: none;
-      }
-      .switch .body {
-        fill: var(--panel);
-        stroke: var(--strong-line);
-        stroke-width: 2;
-      }
-      .switch text {
-        fill: var(--text);
-        font-weight: 650;
-        text-anchor: middle;
-      }
-      .switch.on .body {
-        fill: var(--ok);
-        stroke: var(--ok);
-      }
-      .switch.on.limit .body {
-        fill: var(--error);
-        stroke: var(--error);
-      }
-      .switch.on .body + text {
-        fill: var(--panel);
-      }
-      .hit {
-        fill: transparent;
-      }
-      .switch:focus-visible .body {
-        stroke: var(--accent);
-        stroke-width: 3;
-      }
-      .tools {
-        display: grid;
-        grid-template-columns: minmax(180px, 1fr) auto;
-        gap: 6px 18px;
-        align-items: center;
-      }
-      .load {
-        display: grid;
-        grid-template-columns: auto 1fr 4em;
-        gap: 8px;
-        align-items: center;
-        font-size: 13px;
-      }
-      .load output {
-        text-align: right;
-      }
-      .hand-tools input {
-        width: 90px;
-      }
-      @media (max-width: 600px) {
-        .tools {
-          grid-template-columns: 1fr;
-        }
-      }
-    `,
-  ];
+  static override styles = [base, machineStyles];
 
   constructor() {
     super();
@@ -251,7 +140,7 @@ class MachineView extends Tab {
                   ${axis.backlash ? `· backlash ${count(axis.backlash)}` : nothing}</span>
               </div>
               ${axis.circumference === null ? this.#stage(name, axis) : this.#shaft(name, axis)}
-              ${this.#tools(name, axis)}
+              <pt-by-hand .axis=${name} .load=${axis.load} ${this.given()}></pt-by-hand>
             </div>`)}
         </div>
       </section>
@@ -317,8 +206,7 @@ class MachineView extends Tab {
 
   /** A switch at its place, or where it is dragged to. */
   #switch(name: string, axis: MachineAxis, role: SwitchRole, scale: Lane) {
-    const home = role === "home";
-    const own = home ? axis.home && (axis.home[0] + axis.home[1]) / 2 : role === "positive limit" ? axis.positive_limit : axis.negative_limit;
+    const own = mount(axis, role);
     if (own === null || !this.#pin(name, role)) return nothing;
     const x = scale.x(this.#dragged(name, role) ?? own);
     return this.#body(name, role, `translate(${x} ${RAIL + 24})`, (event) => scale.pulse(this.#pointerX(event)), svg`
@@ -327,7 +215,7 @@ class MachineView extends Tab {
   }
 
   #roundSwitch(name: string, axis: MachineAxis, role: SwitchRole) {
-    const own = role === "home" ? axis.home && (axis.home[0] + axis.home[1]) / 2 : role === "positive limit" ? axis.positive_limit : axis.negative_limit;
+    const own = mount(axis, role);
     if (own === null || !this.#pin(name, role)) return nothing;
     const turn = around(axis, this.#dragged(name, role) ?? own) * 2 * Math.PI;
     const place = `translate(${Math.sin(turn) * (RADIUS + 18)} ${-Math.cos(turn) * (RADIUS + 18)})`;
@@ -404,44 +292,6 @@ class MachineView extends Tab {
   #drop(): void {
     this.drag?.press.set(false);
     this.drag = null;
-  }
-
-  #tools(name: string, axis: MachineAxis) {
-    return html`
-      <div class="tools">
-        <div class="load">
-          <label for="load-${name}">Load</label>
-          <input id="load-${name}" type="range" min="0" max=${MAX_LOAD} step="0.01" .value=${String(axis.load)} ?disabled=${!this.usable}
-            title="Part of the motor's pull-out torque; above 1 it stalls"
-            @change=${(event: Event) => this.#setLoad(name, Number((event.target as HTMLInputElement).value))} />
-          <output class=${axis.load > 1 ? "error-text" : ""}>${Math.round(axis.load * 100)} %</output>
-        </div>
-        <form class="row hand-tools" @submit=${(event: SubmitEvent) => this.#byHand(event, name)}>
-          <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${name}" />
-          <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
-          <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
-        </form>
-      </div>
-    `;
-  }
-
-  #setLoad(axis: string, load: number): void {
-    void attempt(() => this.api.setLoad(this.device.name, axis, load));
-  }
-
-  #byHand(event: SubmitEvent, axis: string): void {
-    event.preventDefault();
-    const pulses = parseWhole(String(new FormData(event.target as HTMLFormElement).get("pulses")));
-    const lose = (event.submitter as HTMLButtonElement | null)?.value === "lose";
-    if (pulses === null || (lose && pulses < 1)) {
-      say(lose ? "So many pulses cannot be lost." : "Pulses are a whole number.", "error");
-      return;
-    }
-    const { name } = this.device;
-    void attempt(
-      () => (lose ? this.api.lose(name, axis, pulses) : this.api.push(name, axis, pulses)),
-      lose ? `The next ${pulses} pulses of ${axis} are lost` : `${axis} pushed by ${pulses}`,
-    );
   }
 }
 customElements.define("pt-machine", MachineView);

@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-DveL-TyO.js";import{t as f}from"./tab-Ts_incmY.js";import{t as p}from"./axis-picker-BnQsKOVo.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,e`
+import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-VE7L9XxY.js";import{t as f}from"./tab-DFOdOdjh.js";import{t as p}from"./axis-picker-Ba6Km6TG.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,e`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -105,91 +105,8 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
           <circle class="stick" r="15" cx=${t*T} cy=${-r*T} />
         </svg>
       </section>
-    `}#n(e){e.button===0&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.#t=!0,this.#r(e))}#r(e){if(!this.#t)return;let t=e.currentTarget.getBoundingClientRect(),n=(e.clientX-t.x-t.width/2)/T,r=-(e.clientY-t.y-t.height/2)/T,i=Math.max(1,Math.hypot(n,r));this.#a([n/i,r/i])}#i(e){let t=E[e.key];t&&this.usable&&(e.preventDefault(),this.#t=!0,e.repeat||this.#a(t))}#a(e){this.at=e,D(this.catalog).forEach(({low:t,high:n},r)=>{this.#e[r].set((t+n)/2+e[r]*(n-t)/2)})}#o(){if(this.#t){this.#t=!1,this.at=[0,0];for(let e of this.#e)e.set(null)}}};customElements.define(`pt-joystick`,O);var k=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>a(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},A=30,j=1e4;function M(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/j)*j;n.push(t-j,t+j)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:A,low:r,high:i,perPulse:a,x:e=>A+(e-r)*a,pulse:e=>r+(e-A)/a}}function N(e,t){let n=e.circumference;return(t%n+n)%n/n}function P(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=N(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function F(e,t){let{shaft:n,home:r,negative_limit:i,positive_limit:a}=e;switch(t){case`negative limit`:return i!==null&&n<=i;case`positive limit`:return a!==null&&n>=a;case`home`:return r===null?!1:e.circumference===null?r[0]<=n&&n<=r[1]:(N(e,n)-N(e,r[0])+1)%1<=(r[1]-r[0])/e.circumference}}function I(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(N(e,n)-N(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var L=80,R=.35,z=88,B=38,V=172,H=48,U=5,W=1.5,G=[`negative limit`,`home`,`positive limit`],K={"negative limit":`−L`,home:`H`,"positive limit":`+L`},q=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,e`
-      .axis + .axis {
-        margin-top: 10px;
-        padding-top: 10px;
-        border-top: 1px solid var(--line);
-      }
-      .head {
-        font-size: 13px;
-      }
-      svg {
-        display: block;
-        width: 100%;
-        font-size: 11px;
-        font-variant-numeric: tabular-nums;
-        touch-action: pan-y;
-      }
-      text {
-        fill: var(--muted);
-      }
-      .rail {
-        stroke: var(--strong-line);
-        stroke-width: 4;
-        stroke-linecap: round;
-        fill: none;
-      }
-      .mark {
-        stroke: var(--line);
-        stroke-width: 1.5;
-      }
-      .home {
-        fill: var(--ok);
-        opacity: 0.75;
-      }
-      .home-arc {
-        stroke: var(--ok);
-        stroke-width: 6;
-        fill: none;
-      }
-      .carriage {
-        fill: var(--accent);
-      }
-      .slack {
-        fill: var(--accent);
-        opacity: 0.25;
-      }
-      .hand {
-        stroke: var(--accent);
-        stroke-width: 4;
-        stroke-linecap: round;
-      }
-      .switch {
-        cursor: grab;
-        touch-action: none;
-        user-select: none;
-        outline: none;
-      }
-      .switch .body {
-        fill: var(--panel);
-        stroke: var(--strong-line);
-        stroke-width: 2;
-      }
-      .switch text {
-        fill: var(--text);
-        font-weight: 650;
-        text-anchor: middle;
-      }
-      .switch.on .body {
-        fill: var(--ok);
-        stroke: var(--ok);
-      }
-      .switch.on.limit .body {
-        fill: var(--error);
-        stroke: var(--error);
-      }
-      .switch.on .body + text {
-        fill: var(--panel);
-      }
-      .hit {
-        fill: transparent;
-      }
-      .switch:focus-visible .body {
-        stroke: var(--accent);
-        stroke-width: 3;
-      }
-      .tools {
+    `}#n(e){e.button===0&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.#t=!0,this.#r(e))}#r(e){if(!this.#t)return;let t=e.currentTarget.getBoundingClientRect(),n=(e.clientX-t.x-t.width/2)/T,r=-(e.clientY-t.y-t.height/2)/T,i=Math.max(1,Math.hypot(n,r));this.#a([n/i,r/i])}#i(e){let t=E[e.key];t&&this.usable&&(e.preventDefault(),this.#t=!0,e.repeat||this.#a(t))}#a(e){this.at=e,D(this.catalog).forEach(({low:t,high:n},r)=>{this.#e[r].set((t+n)/2+e[r]*(n-t)/2)})}#o(){if(this.#t){this.#t=!1,this.at=[0,0];for(let e of this.#e)e.set(null)}}};customElements.define(`pt-joystick`,O);var k=class{#e;#t;#n;#r=!1;#i=Promise.resolve();constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}get pressed(){return this.#r}set(e){e!==this.#r&&(this.#r=e,this.#i=this.#i.then(()=>a(()=>e?this.#a():this.#o())))}async#a(){let e=await this.#e.pin(this.#t,this.#n);await this.#e.drivePin(this.#t,this.#n,e===!1||e===0)}#o(){return this.#e.releasePin(this.#t,this.#n)}},A=1.5,j=class extends f{static properties={...f.properties,axis:{type:String},load:{type:Number}};static styles=[i,e`
+      :host {
         display: grid;
         grid-template-columns: minmax(180px, 1fr) auto;
         gap: 6px 18px;
@@ -202,18 +119,115 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
         align-items: center;
         font-size: 13px;
       }
-      .load output {
+      output {
         text-align: right;
       }
-      .hand-tools input {
-        width: 90px;
+      form input {
+        width: 90px !important;
       }
       @media (max-width: 600px) {
-        .tools {
+        :host {
           grid-template-columns: 1fr;
         }
       }
-    `];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=s(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:L))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(I(t,e.role,e.at)!==F(t,e.role))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*R;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${M(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(N(e,t)*360).toFixed(2)})`}render(){return this.machine?n`
+    `];render(){return n`
+      <div class="load">
+        <label for="load">Load</label>
+        <input id="load" type="range" min="0" max=${A} step="0.01" .value=${String(this.load)} ?disabled=${!this.usable}
+          aria-label="Load of axis ${this.axis}" title="Part of the motor's pull-out torque; above 1 it stalls"
+          @change=${e=>this.#e(Number(e.target.value))} />
+        <output class=${this.load>1?`error-text`:``}>${Math.round(this.load*100)} %</output>
+      </div>
+      <form class="row" @submit=${this.#t}>
+        <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${this.axis}" />
+        <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
+        <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
+      </form>
+    `}#e(e){a(()=>this.api.setLoad(this.device.name,this.axis,e))}#t(e){e.preventDefault();let t=o(String(new FormData(e.target).get(`pulses`))),n=e.submitter?.value===`lose`;if(t===null||n&&t<1){l(n?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:r}=this.device,{axis:i}=this;a(()=>n?this.api.lose(r,i,t):this.api.push(r,i,t),n?`The next ${t} pulses of ${i} are lost`:`${i} pushed by ${t}`)}};customElements.define(`pt-by-hand`,j);var M=30,N=1e4;function P(e,t){let n=[e.negative_limit,e.positive_limit,...e.home??[]].filter(e=>e!==null);if(e.negative_limit===null||e.positive_limit===null){let t=Math.round(e.shaft/N)*N;n.push(t-N,t+N)}let r=Math.min(...n,e.shaft),i=Math.max(...n,e.shaft),a=(t-60)/Math.max(1,i-r);return{margin:M,low:r,high:i,perPulse:a,x:e=>M+(e-r)*a,pulse:e=>r+(e-M)/a}}function F(e,t){let n=e.circumference;return(t%n+n)%n/n}function I(e,[t,n],r){let i=e=>{let t=e*2*Math.PI;return`${(Math.sin(t)*r).toFixed(2)} ${(-Math.cos(t)*r).toFixed(2)}`},a=Math.min(.999,Math.max((n-t)/e.circumference,.01)),o=F(e,t);return`M ${i(o)} A ${r} ${r} 0 ${+(a>.5)} 1 ${i(o+a)}`}function L({home:e,negative_limit:t,positive_limit:n},r){switch(r){case`negative limit`:return t;case`positive limit`:return n;case`home`:return e&&(e[0]+e[1])/2}}function R(e,t){let{shaft:n,home:r,negative_limit:i,positive_limit:a}=e;switch(t){case`negative limit`:return i!==null&&n<=i;case`positive limit`:return a!==null&&n>=a;case`home`:return r===null?!1:e.circumference===null?r[0]<=n&&n<=r[1]:(F(e,n)-F(e,r[0])+1)%1<=(r[1]-r[0])/e.circumference}}function z(e,t,n){let r=e.home?Math.max(1,(e.home[1]-e.home[0])/2):1;if(e.circumference!==null){let t=Math.abs(F(e,n)-F(e,e.shaft)),i=Math.max(r/e.circumference,.01);return Math.min(t,1-t)<=i}if(t===`negative limit`)return e.shaft<=n;if(t===`positive limit`)return e.shaft>=n;let i=(e.positive_limit??0)-(e.negative_limit??0);return Math.abs(e.shaft-n)<=Math.max(r,i/100)}var B=e`
+  .axis + .axis {
+    margin-top: 10px;
+    padding-top: 10px;
+    border-top: 1px solid var(--line);
+  }
+  .head {
+    font-size: 13px;
+  }
+  svg {
+    display: block;
+    width: 100%;
+    font-size: 11px;
+    font-variant-numeric: tabular-nums;
+    touch-action: pan-y;
+  }
+  text {
+    fill: var(--muted);
+  }
+  .rail {
+    stroke: var(--strong-line);
+    stroke-width: 4;
+    stroke-linecap: round;
+    fill: none;
+  }
+  .mark {
+    stroke: var(--line);
+    stroke-width: 1.5;
+  }
+  .home {
+    fill: var(--ok);
+    opacity: 0.75;
+  }
+  .home-arc {
+    stroke: var(--ok);
+    stroke-width: 6;
+    fill: none;
+  }
+  .carriage {
+    fill: var(--accent);
+  }
+  .slack {
+    fill: var(--accent);
+    opacity: 0.25;
+  }
+  .hand {
+    stroke: var(--accent);
+    stroke-width: 4;
+    stroke-linecap: round;
+  }
+  .switch {
+    cursor: grab;
+    touch-action: none;
+    user-select: none;
+    outline: none;
+  }
+  .switch .body {
+    fill: var(--panel);
+    stroke: var(--strong-line);
+    stroke-width: 2;
+  }
+  .switch text {
+    fill: var(--text);
+    font-weight: 650;
+    text-anchor: middle;
+  }
+  .switch.on .body {
+    fill: var(--ok);
+    stroke: var(--ok);
+  }
+  .switch.on.limit .body {
+    fill: var(--error);
+    stroke: var(--error);
+  }
+  .switch.on .body + text {
+    fill: var(--panel);
+  }
+  .hit {
+    fill: transparent;
+  }
+  .switch:focus-visible .body {
+    stroke: var(--accent);
+    stroke-width: 3;
+  }
+`,V=80,H=.35,U=88,W=38,G=172,K=48,q=5,J=[`negative limit`,`home`,`positive limit`],Y={"negative limit":`−L`,home:`H`,"positive limit":`+L`},X=class extends f{static properties={...f.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[i,B];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=s(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:V))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(z(t,e.role,e.at)!==R(t,e.role))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*H;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${P(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(F(e,t)*360).toFixed(2)})`}render(){return this.machine?n`
       <section class="panel stack" aria-label="Machine">
         <div class="row"><h2>Machine</h2>
           <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
@@ -225,15 +239,15 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
                   ${t.backlash?`· backlash ${c(t.backlash)}`:d}</span>
               </div>
               ${t.circumference===null?this.#c(e,t):this.#u(e,t)}
-              ${this.#S(e,t)}
+              <pt-by-hand .axis=${e} .load=${t.load} ${this.given()}></pt-by-hand>
             </div>`)}
         </div>
       </section>
     `:n`<section class="panel"><h2>Machine</h2>
-        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(e,t){let r=M(t,this.width),i=t.backlash*r.perPulse;return n`
-      <svg viewBox="0 0 ${this.width} ${z}" height=${z} role="group"
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(e,t){let r=P(t,this.width),i=t.backlash*r.perPulse;return n`
+      <svg viewBox="0 0 ${this.width} ${U}" height=${U} role="group"
         aria-label="Stage of axis ${e}, from ${t.negative_limit??`no limit`} to ${t.positive_limit??`no limit`}">
-        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${B} y2=${B} />
+        <line class="rail" x1=${r.margin} x2=${this.width-r.margin} y1=${W} y2=${W} />
         ${this.#l(t,r)}
         ${t.home?u`<rect class="home" x=${r.x(t.home[0])} y=${35} height="6" rx="1"
               width=${Math.max(3,r.x(t.home[1])-r.x(t.home[0]))} />`:d}
@@ -242,23 +256,23 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
           <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
           <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
         </g>
-        ${G.map(n=>this.#d(e,t,n,r))}
+        ${J.map(n=>this.#d(e,t,n,r))}
       </svg>
-    `}#l(e,t){let n=e.index_every;if(!n||n*t.perPulse<U)return n?u`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(n)}</text>`:d;let r=Math.ceil(t.low/n),i=Math.floor(t.high/n)-r+1;return Array.from({length:i},(e,i)=>{let a=t.x((r+i)*n);return u`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(e,t){let{width:r}=this,i=t.index_every??0,a=i>0?Math.min(360,Math.floor(t.circumference/i)):0;return n`
-      <svg viewBox="${-r/2} ${-86} ${r} ${V}" height=${V} role="group"
+    `}#l(e,t){let n=e.index_every;if(!n||n*t.perPulse<q)return n?u`<text x=${this.width/2} y=${74} text-anchor="middle">an index mark every ${c(n)}</text>`:d;let r=Math.ceil(t.low/n),i=Math.floor(t.high/n)-r+1;return Array.from({length:i},(e,i)=>{let a=t.x((r+i)*n);return u`<line class="mark" x1=${a} x2=${a} y1=${42} y2=${48} />`})}#u(e,t){let{width:r}=this,i=t.index_every??0,a=i>0?Math.min(360,Math.floor(t.circumference/i)):0;return n`
+      <svg viewBox="${-r/2} ${-86} ${r} ${G}" height=${G} role="group"
         aria-label="Shaft of axis ${e}, ${t.circumference} to the turn">
-        <circle class="rail" r=${H} />
-        ${Array.from({length:a},(e,n)=>u`<line class="mark" transform="rotate(${N(t,n*i)*360})" y1=${-43} y2=${-37} />`)}
-        ${t.home?u`<path class="home-arc" d=${P(t,t.home,H)} />`:d}
+        <circle class="rail" r=${K} />
+        ${Array.from({length:a},(e,n)=>u`<line class="mark" transform="rotate(${F(t,n*i)*360})" y1=${-43} y2=${-37} />`)}
+        ${t.home?u`<path class="home-arc" d=${I(t,t.home,K)} />`:d}
         <g data-shaft=${e} transform=${this.#s(t,this.#n.get(e)??t.shaft)}>
           <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
         </g>
-        ${G.map(n=>this.#f(e,t,n))}
+        ${J.map(n=>this.#f(e,t,n))}
         <text x=${92} y="4">${c(t.circumference)} a turn</text>
       </svg>
-    `}#d(e,t,n,r){let i=n===`home`?t.home&&(t.home[0]+t.home[1])/2:n===`positive limit`?t.positive_limit:t.negative_limit;if(i===null||!this.#g(e,n))return d;let a=r.x(this.#h(e,n)??i);return this.#p(e,n,`translate(${a} 62)`,e=>r.pulse(this.#m(e)),u`
+    `}#d(e,t,n,r){let i=L(t,n);if(i===null||!this.#g(e,n))return d;let a=r.x(this.#h(e,n)??i);return this.#p(e,n,`translate(${a} 62)`,e=>r.pulse(this.#m(e)),u`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${K[n]}</text>`,u`<text y="24">${c(i)}</text>`)}#f(e,t,n){let r=n===`home`?t.home&&(t.home[0]+t.home[1])/2:n===`positive limit`?t.positive_limit:t.negative_limit;if(r===null||!this.#g(e,n))return d;let i=N(t,this.#h(e,n)??r)*2*Math.PI,a=`translate(${Math.sin(i)*66} ${-Math.cos(i)*66})`;return this.#p(e,n,a,e=>{let n=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-n.x-n.width/2,-(e.clientY-n.y-n.height/2))/(2*Math.PI)*t.circumference},u`<circle class="body" r="12" /><text y="4">${K[n]}</text>`,d)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return u`
+      <text y="4">${Y[n]}</text>`,u`<text y="24">${c(i)}</text>`)}#f(e,t,n){let r=L(t,n);if(r===null||!this.#g(e,n))return d;let i=F(t,this.#h(e,n)??r)*2*Math.PI,a=`translate(${Math.sin(i)*66} ${-Math.cos(i)*66})`;return this.#p(e,n,a,e=>{let n=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-n.x-n.width/2,-(e.clientY-n.y-n.height/2))/(2*Math.PI)*t.circumference},u`<circle class="body" r="12" /><text y="4">${Y[n]}</text>`,d)}#p(e,t,n,r,i,a){let o=this.#_(e,t),s=n=>{(n.key===` `||n.key===`Enter`)&&(n.preventDefault(),n.repeat||(n.type===`keydown`?this.#b(e,t):this.#x()))};return u`
       <g class="switch ${o?`on`:``} ${t===`home`?``:`limit`}" transform=${n} tabindex="0" role="button"
         aria-label="${t} switch of ${e}, ${o?`on`:`off`}" aria-pressed=${o?`true`:`false`}
         @pointerdown=${n=>this.#v(n,e,t,r(n))}
@@ -267,22 +281,7 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
         @keydown=${s} @keyup=${s} @blur=${()=>this.#x()}>
         <rect class="hit" x="-23" y="-20" width="46" height="46" />${i} ${a}
       </g>
-    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new k(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new k(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}#S(e,t){return n`
-      <div class="tools">
-        <div class="load">
-          <label for="load-${e}">Load</label>
-          <input id="load-${e}" type="range" min="0" max=${W} step="0.01" .value=${String(t.load)} ?disabled=${!this.usable}
-            title="Part of the motor's pull-out torque; above 1 it stalls"
-            @change=${t=>this.#C(e,Number(t.target.value))} />
-          <output class=${t.load>1?`error-text`:``}>${Math.round(t.load*100)} %</output>
-        </div>
-        <form class="row hand-tools" @submit=${t=>this.#w(t,e)}>
-          <input name="pulses" class="number" type="text" inputmode="numeric" value="100" aria-label="Pulses, axis ${e}" />
-          <button class="small" value="push" ?disabled=${!this.usable} title="Turn the shaft by hand; less than 0 is backwards">Push</button>
-          <button class="small" value="lose" ?disabled=${!this.usable} title="The motor does not follow its next pulses">Lose</button>
-        </form>
-      </div>
-    `}#C(e,t){a(()=>this.api.setLoad(this.device.name,e,t))}#w(e,t){e.preventDefault();let n=o(String(new FormData(e.target).get(`pulses`))),r=e.submitter?.value===`lose`;if(n===null||r&&n<1){l(r?`So many pulses cannot be lost.`:`Pulses are a whole number.`,`error`);return}let{name:i}=this.device;a(()=>r?this.api.lose(i,t,n):this.api.push(i,t,n),r?`The next ${n} pulses of ${t} are lost`:`${t} pushed by ${n}`)}};customElements.define(`pt-machine`,q);var J=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[i,e`
+    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new k(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new k(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}};customElements.define(`pt-machine`,X);var Z=class extends f{static properties={...f.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[i,e`
       .tiles {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
@@ -394,7 +393,7 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
         .value=${String(r??0)}
         @change=${t=>a(()=>this.api.act(this.device.name,{do:`output`,name:e.name,value:Number(t.target.value)}))} />
       <output>${c(r)} ${e.unit}</output><span></span>
-    `}};customElements.define(`pt-pins`,J);var Y=class extends f{static styles=[i,e`
+    `}};customElements.define(`pt-pins`,Z);var Q=class extends f{static styles=[i,e`
       :host {
         display: grid;
         grid-template-columns: repeat(2, minmax(0, 1fr));
@@ -417,4 +416,4 @@ import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y
             ${D(this.catalog).length>0?n`<pt-joystick ${this.given()}></pt-joystick>`:d}
             ${x(this.catalog)?n`<pt-hand-wheel ${this.given()}></pt-hand-wheel>`:d}
           </div>`:d}
-    `}};customElements.define(`pt-io`,Y);
+    `}};customElements.define(`pt-io`,Q);

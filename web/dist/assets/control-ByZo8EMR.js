@@ -1,62 +1,4 @@
-import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,v as f,y as p}from"./index-DveL-TyO.js";import{t as m}from"./tab-Ts_incmY.js";import"./curves-swr3sfrc.js";import{t as h}from"./axis-picker-BnQsKOVo.js";var g=e`
-  .lamp {
-    display: inline-flex;
-    align-items: center;
-    gap: 5px;
-    color: var(--muted);
-    font-size: 12px;
-    white-space: nowrap;
-  }
-  .lamp::before {
-    content: "";
-    width: 11px;
-    height: 11px;
-    border: 2px solid var(--strong-line);
-    border-radius: 50%;
-  }
-  .lamp.on {
-    color: var(--text);
-    font-weight: 650;
-  }
-  .lamp.on::before {
-    border-color: var(--ok);
-    background: var(--ok);
-  }
-  .lamp.on.hot::before {
-    border-color: var(--error);
-    background: var(--error);
-  }
-`;function _(e,t,r,i=!1){return t==null?p:n`
-    <span class="lamp ${t?`on`:``} ${i?`hot`:``}" title="${r}: ${t?`on`:`off`}"
-      >${e}<span class="visually-hidden">, ${r} ${t?`on`:`off`}</span></span
-    >
-  `}var v=class extends f{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[r,e`
-      button {
-        width: 100%;
-        min-height: 38px;
-        font-size: 15px;
-        touch-action: none;
-        -webkit-touch-callout: none;
-      }
-      button[aria-pressed="true"] {
-        background: var(--accent);
-        color: var(--on-accent);
-      }
-    `];#e=()=>this.#o();#t=()=>{document.hidden&&this.#o()};constructor(){super(),this.disabled=!1,this.label=``,this.held=!1}connectedCallback(){super.connectedCallback(),window.addEventListener(`blur`,this.#e),window.addEventListener(`pagehide`,this.#e),document.addEventListener(`visibilitychange`,this.#t)}disconnectedCallback(){super.disconnectedCallback(),this.#o(),window.removeEventListener(`blur`,this.#e),window.removeEventListener(`pagehide`,this.#e),document.removeEventListener(`visibilitychange`,this.#t)}updated(){this.disabled&&this.#o()}render(){return n`
-      <button
-        ?disabled=${this.disabled}
-        aria-label=${this.label}
-        aria-pressed=${this.held}
-        @pointerdown=${this.#n}
-        @pointerup=${this.#e}
-        @pointercancel=${this.#e}
-        @lostpointercapture=${this.#e}
-        @contextmenu=${e=>e.preventDefault()}
-        @keydown=${this.#r}
-        @keyup=${this.#i}
-        @blur=${this.#e}
-      ><slot></slot></button>
-    `}#n(e){e.button===0&&(e.currentTarget.setPointerCapture(e.pointerId),this.#a())}#r(e){e.key===`Escape`&&this.#o(),(e.key===` `||e.key===`Enter`)&&(e.preventDefault(),e.repeat||this.#a())}#i(e){(e.key===` `||e.key===`Enter`)&&this.#o()}#a(){this.held||this.disabled||(this.held=!0,this.dispatchEvent(new Event(`begin`)))}#o(){this.held&&(this.held=!1,this.dispatchEvent(new Event(`end`)))}};customElements.define(`pt-hold`,v);var y=class extends m{static properties={...m.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,g,e`
+import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,y as f}from"./index-VE7L9XxY.js";import{n as p,t as m}from"./hold-ByjjIpsG.js";import{t as h}from"./tab-DFOdOdjh.js";import"./curves-CPpNlRlQ.js";import{t as g}from"./axis-picker-Ba6Km6TG.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -146,27 +88,27 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         <div class="row">
           <span class="name">${r}</span>
           <span class="badge ${u(e)}" data-role="state">${e.state}</span>
-          ${e.loop_state&&e.loop_state!==`NA`?n`<span class="badge" title="StepNLoop">${e.loop_state}</span>`:p}
+          ${e.loop_state&&e.loop_state!==`NA`?n`<span class="badge" title="StepNLoop">${e.loop_state}</span>`:f}
           <span class="grow"></span>
           ${t(`power`)&&e.enabled!==null?n`<button class="small" aria-pressed=${e.enabled} ?disabled=${!this.usable}
                 @click=${()=>this.#a({do:`power`,axis:r,on:!e.enabled})}>
                 motor ${e.enabled?`on`:`off`}
-              </button>`:p}
+              </button>`:f}
         </div>
         <div class="position" data-role="position">
           ${l(e.position)} <span class="unit">${this.catalog.units.position}</span>
         </div>
         ${this.#t(e)}
         <div class="lamps">
-          ${_(`−L`,e.negative_limit,`negative limit`,!0)}
-          ${_(`Home`,e.home,`home switch`)}
-          ${_(`+L`,e.positive_limit,`positive limit`,!0)}
-          ${_(`Z`,e.index,`encoder index`)}
+          ${m(`−L`,e.negative_limit,`negative limit`,!0)}
+          ${m(`Home`,e.home,`home switch`)}
+          ${m(`+L`,e.positive_limit,`positive limit`,!0)}
+          ${m(`Z`,e.index,`encoder index`)}
         </div>
         <div class="error-line">
           ${e.error?n`<strong class="error-text grow">⚠ ${e.error}</strong>`:n`<span class="muted grow">no error</span>`}
           ${t(`clear_error`)?n`<button class="small" ?disabled=${!this.usable||!e.error}
-                @click=${()=>this.#a({do:`clear_error`,axis:r})}>Clear</button>`:p}
+                @click=${()=>this.#a({do:`clear_error`,axis:r})}>Clear</button>`:f}
         </div>
         <div class="jog">
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in negative direction while pressed`}
@@ -182,14 +124,14 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       <dl>
         ${r.map(([e,t,r])=>n`<dt title=${r}>${e}</dt><dd data-role=${e.toLowerCase()}>${l(t)}</dd>`)}
       </dl>
-    `}#n(e){return this.catalog.status_bits.length===0?p:n`
+    `}#n(e){return this.catalog.status_bits.length===0?f:n`
       <details>
         <summary>Status bits · ${e.flags.join(`, `)||`none set`}</summary>
         <ul>
-          ${this.catalog.status_bits.map(({name:t,text:r,kind:i})=>n`<li>${_(t,e.flags.includes(t),r||t,i===`error`)}</li>`)}
+          ${this.catalog.status_bits.map(({name:t,text:r,kind:i})=>n`<li>${m(t,e.flags.includes(t),r||t,i===`error`)}</li>`)}
         </ul>
       </details>
-    `}#r(e){let t=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:t})=>e(t));return t.length===0?p:n`
+    `}#r(e){let t=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:t})=>e(t));return t.length===0?f:n`
       <details>
         <summary>Set counters</summary>
         ${t.map(({action:e,label:t})=>n`
@@ -199,7 +141,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
             </form>
           `)}
       </details>
-    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?d(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return a(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?a(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,y);var b=class extends m{static properties={...m.properties,axis:{state:!0},mode:{state:!0}};static styles=[r,e`
+    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?d(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return a(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?a(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[r,e`
       .panel {
         height: 100%;
       }
@@ -211,23 +153,23 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:e,axes:t}=this.catalog,r=e.find(({id:e})=>e===this.mode);return n`
       <div class="panel stack">
         <div class="row"><h2 class="grow">Home</h2>
-          ${h(t,this.axis,`home-axis`,e=>this.axis=e)}
+          ${g(t,this.axis,`home-axis`,e=>this.axis=e)}
         </div>
         <label>Mode
           <select @change=${e=>this.mode=Number(e.target.value)}>
             ${e.map(({id:e,name:t})=>n`<option value=${e} ?selected=${e===this.mode}>${e} · ${t}</option>`)}
           </select>
         </label>
-        <p class="about">${r?.text}${r?.section?n` <span>(manual, ${r.section})</span>`:p}</p>
+        <p class="about">${r?.text}${r?.section?n` <span>(manual, ${r.section})</span>`:f}</p>
         <div class="row">
           ${[`-`,`+`].map(e=>r?.directions.includes(e)?n`<button class="grow" ?disabled=${!this.usable}
                   aria-label="Home ${this.axis} in ${e===`+`?`positive`:`negative`} direction"
                   @click=${()=>this.#e(e===`+`?1:-1)}>
                   ${e===`-`?`◀ Home −`:`Home + ▶`}
-                </button>`:p)}
+                </button>`:f)}
         </div>
       </div>
-    `}#e(e){let{axis:t,mode:n}=this;a(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,b);var x=class extends m{static properties={...m.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[r,e`
+    `}#e(e){let{axis:t,mode:n}=this;a(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,v);var y=class extends h{static properties={...h.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[r,e`
       .panel {
         height: 100%;
       }
@@ -265,7 +207,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           ${e.map(r=>n`
               <label class="line">
                 ${e.length>1?n`<input type="checkbox" aria-label="Move axis ${r}" .checked=${this.chosen.has(r)}
-                      @change=${e=>this.#t(r,e.target.checked)} />`:p}
+                      @change=${e=>this.#t(r,e.target.checked)} />`:f}
                 <strong>${r}</strong>
               </label>
               <input name=${r} class="number" type="text" inputmode="numeric" value="0" autocomplete="off"
@@ -283,10 +225,10 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           <button type="button" class="grow" ?disabled=${!this.reachable} title="With deceleration"
             @click=${()=>a(()=>this.api.stop(this.device.name))}>Stop all axes</button>
           ${this.catalog.actions.includes(`abort`)?n`<button type="button" class="danger grow" ?disabled=${!this.usable} title="At once, without deceleration"
-                @click=${()=>a(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:p}
+                @click=${()=>a(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:f}
         </div>
       </form>
-    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&a(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let r=s(String(t.get(e)));if(r===null){d(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=r}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){a(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,x);var S=class extends m{static properties={...m.properties,axis:{state:!0}};static styles=[r,e`
+    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&a(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let r=s(String(t.get(e)));if(r===null){d(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=r}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){a(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,y);var b=class extends h{static properties={...h.properties,axis:{state:!0}};static styles=[r,e`
       .panel {
         height: 100%;
       }
@@ -305,7 +247,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,language:r,units:i}=this.catalog,a=r===`a-script`;return n`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
-          ${h(t,this.axis,`fly-axis`,e=>this.axis=e)}
+          ${g(t,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
         ${e.includes(`change_speed`)?n`<form class="fields" @submit=${this.#e}>
               <label title=${i.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
@@ -313,15 +255,15 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
                     <label title="ms; empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
                     <label title="Speed window, set while the motor stands; empty: as it is">SSPDM
                       <input name="mode" class="number" type="text" inputmode="numeric" />
-                    </label>`:p}
+                    </label>`:f}
               <button ?disabled=${!this.usable}>Set speed</button>
-            </form>`:p}
+            </form>`:f}
         ${e.includes(`change_target`)?n`<form class="fields" @submit=${this.#t}>
               <label title=${i.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <button ?disabled=${!this.usable}>Set target</button>
-            </form>`:p}
+            </form>`:f}
       </div>
-    `}#e(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`,`mode`]){let r=String(t.get(e)??``).trim();if(r===``&&e!==`speed`)continue;let i=s(r);if(i===null){d(`“${r}” is not a whole number.`,`error`);return}n[e]=i}let{axis:r}=this;a(()=>this.api.act(this.device.name,{do:`change_speed`,axis:r,speed:n.speed,...n}))}#t(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?d(`A target is a whole number.`,`error`):a(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,S);var C=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function w(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&C.test(a)})}var T=class extends m{static properties={...m.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[r,e`
+    `}#e(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`,`mode`]){let r=String(t.get(e)??``).trim();if(r===``&&e!==`speed`)continue;let i=s(r);if(i===null){d(`“${r}” is not a whole number.`,`error`);return}n[e]=i}let{axis:r}=this;a(()=>this.api.act(this.device.name,{do:`change_speed`,axis:r,speed:n.speed,...n}))}#t(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?d(`A target is a whole number.`,`error`):a(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[r,e`
       .panel {
         height: 100%;
       }
@@ -333,13 +275,13 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       select {
         width: auto;
       }
-    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(w(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of w(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&d(`${e}: ${c(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return p;let t=w(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return n`
+    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(S(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of S(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&d(`${e}: ${c(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return f;let t=S(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return n`
       <form class="panel stack" @submit=${this.#a}>
         <div class="row"><h2 class="grow">Speeds and ramps</h2>
           ${e.length>1?n`<select aria-label="Whose" @change=${this.#i}>
                 ${e.map(e=>n`<option value=${e??``} ?selected=${e===this.axis}>
                   ${e===null?`all axes`:`axis ${e}`}</option>`)}
-              </select>`:p}
+              </select>`:f}
         </div>
         <div class="fields">
           ${t.map(e=>n`
@@ -354,7 +296,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           <button ?disabled=${!this.usable}>Set</button>
         </div>
       </form>
-    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of w(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let r=String(n.get(e.id)).trim();if(r===``||r===this.#r(e))continue;let i=t(r);if(i===null){d(`${e.name}: “${r}” is not a number.`,`error`);return}if(!await a(()=>this.api.setParameter(this.device.name,e.id,i)))return;this.values={...this.values,[e.id]:i}}}};customElements.define(`pt-ramps`,T);var E=class extends m{watches=[`status`];static styles=[r,e`
+    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of S(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let r=String(n.get(e.id)).trim();if(r===``||r===this.#r(e))continue;let i=t(r);if(i===null){d(`${e.name}: “${r}” is not a number.`,`error`);return}if(!await a(()=>this.api.setParameter(this.device.name,e.id,i)))return;this.values={...this.values,[e.id]:i}}}};customElements.define(`pt-ramps`,C);var w=class extends h{watches=[`status`];static styles=[r,e`
       .grid {
         display: grid;
         grid-template-columns: repeat(var(--columns), minmax(0, 1fr));
@@ -405,9 +347,9 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         ${t.map(e=>n`
           <pt-axis .axis=${e} ${this.given()}></pt-axis>`)}
         <pt-moves ${this.given()}></pt-moves>
-        ${r.length>0?n`<pt-homing ${this.given()}></pt-homing>`:p}
+        ${r.length>0?n`<pt-homing ${this.given()}></pt-homing>`:f}
         <pt-ramps ${this.given()}></pt-ramps>
-        ${i?n`<pt-on-the-fly ${this.given()}></pt-on-the-fly>`:p}
+        ${i?n`<pt-on-the-fly ${this.given()}></pt-on-the-fly>`:f}
         <pt-curves compact class="after-${a%4}-of-4 after-${a%3}-of-3" ${this.given()}></pt-curves>
       </div>
     `}#e(){let e=this.live.status;if(!e)return n`<p class="summary muted">Waiting for the first status…</p>`;let t=e.programs.flatMap(({state:e},t)=>e===`idle`?[]:[`program ${t} ${e}`]),r=Object.entries(e.axes).map(([e,t])=>`${e}: ${t.error??(t.speed===0?`standing`:`moving`)}`);return n`
@@ -417,4 +359,4 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         ${e.alarms.map(e=>n`<strong class="error-text">⚠ ${e}</strong>`)}
       </div>
       <div class="visually-hidden" aria-live="polite">${r.join(`, `)}</div>
-    `}};customElements.define(`pt-control`,E);
+    `}};customElements.define(`pt-control`,w);
