@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Catalog } from "../api/contract.ts";
+import { profile } from "./profile.ts";
 import { counting, deciding, microsteps, plan, type Values } from "./settings.ts";
 
 const model = (language: Catalog["language"], ids: string[] = []) => {
@@ -53,4 +54,19 @@ test("in a closed loop speeds and ways are encoder counts", () => {
 test("only what a model has", () => {
   const catalog = model("a-script", ["HSPDX", "HSPD", "EDEC", "V1"]);
   assert.deepEqual(deciding(catalog, "X").map(({ id }) => id), ["HSPDX", "HSPD", "EDEC"]);
+});
+
+test("moves take as long as on the virtual controllers", () => {
+  // Seconds from the first line of a program to its end, of which its lines themselves take 0.6 ms.
+  const check = (catalog: Catalog, axis: string, values: Values, way: number, seconds: number) => {
+    const planned = profile(plan(catalog, axis, values, way).move).seconds;
+    assert.ok(Math.abs(seconds - planned) < 0.001, `${planned} s, ${seconds} s measured`);
+  };
+  const fast = { HSPD: 20_000, LSPD: 1000, ACC: 900, DEC: 300, EDEC: 0 };
+  check(ASCII, "X", { HSPD: 5000, LSPD: 100, ACC: 300, DEC: 300, EDEC: 0 }, 10_000, 2.2946);
+  check(ASCII, "X", fast, 3000, 0.66573);
+  check(ASCII, "X", { ...fast, SCVX: 1 }, 30_000, 2.3557);
+  check(ASCII, "X", { ...fast, SCVX: 1 }, 3000, 0.89615);
+  check(TMCL, "0", MODULE, 51_200, 0.84714);
+  check(TMCL, "0", { ...MODULE, "AP153.0": 7, "AP5.0": 50 }, 12_000, 1.01276);
 });

@@ -130,6 +130,27 @@ class Parameters extends Tab {
           position: static;
         }
       }
+      @media (max-width: 600px) {
+        section thead {
+          display: none;
+        }
+        section tr {
+          display: grid;
+          grid-template-columns: 1fr auto;
+          border-bottom: 1px solid var(--line);
+        }
+        section td {
+          width: auto;
+          border: 0;
+        }
+        td.name,
+        td.value {
+          grid-column: 1 / 3;
+        }
+        td.marks {
+          grid-area: 1 / 2;
+        }
+      }
     `,
   ];
 
@@ -387,7 +408,7 @@ class Parameters extends Tab {
     return html`
       <tr class=${edit === undefined ? "" : "edited"}>
         <td class="id"><code>${info.id}</code></td>
-        <td>
+        <td class="name">
           ${info.name}
           <div class="what">${info.text}${info.symbol ? html` <code class="wide">${info.symbol}</code>` : nothing}</div>
         </td>
