@@ -13,7 +13,10 @@ export const capabilities = {
   textDocument: {
     semanticTokens: {
       requests: { full: true },
-      tokenTypes: ["keyword", "variable", "function", "parameter", "number", "comment", "operator", "string", "macro"],
+      tokenTypes: [
+        ...["keyword", "method", "function", "variable", "property", "enumMember"],
+        ...["number", "string", "macro", "comment", "operator"],
+      ],
       tokenModifiers: ["definition", "readonly"],
       formats: ["relative"],
       overlappingTokenSupport: false,

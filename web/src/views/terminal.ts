@@ -95,17 +95,16 @@ class Terminal extends Tab {
         border: 1px solid var(--line);
         border-radius: var(--radius);
       }
-      .help table {
+      .help button {
+        display: grid;
+        grid-template-columns: minmax(0, 3fr) minmax(0, 5fr) minmax(0, 2fr) 4em;
+        gap: 10px;
+        width: 100%;
+        min-height: 26px;
         font-size: 13px;
-      }
-      .help tr[role="option"] {
-        cursor: pointer;
-      }
-      .help tr[role="option"]:hover {
-        background: var(--raised);
-      }
-      .help td:first-child {
-        white-space: nowrap;
+        font-weight: 400;
+        text-align: left;
+        white-space: normal;
       }
       .line input {
         flex: 1 1 12em;
@@ -256,7 +255,7 @@ class Terminal extends Tab {
               </p>`
             : this.exchanges.map((exchange) => this.#exchange(exchange))}
         </div>
-        <div id="help" class="help" ?hidden=${this.typed === ""}>${this.#help()}</div>
+        <div id="help" class="help" role="group" aria-label="Help" ?hidden=${this.typed === ""}>${this.#help()}</div>
         <form class="row line" @submit=${this.#send}>
           <input
             id="line"
@@ -302,24 +301,16 @@ class Terminal extends Tab {
     const proposed = proposals(this.catalog.commands, this.typed);
     const commands = proposed.length > 0 ? proposed : about(this.catalog.commands, this.typed);
     if (commands.length === 0) return nothing;
-    return html`
-      <table aria-label="Help">
-        <tbody role="listbox" aria-label="Commands">
-          ${commands.map(
-            (command) => html`
-              <tr role="option" aria-selected="false" @click=${() => this.#pick(command)}>
-                <td><code>${command.syntax}</code></td>
-                <td>
-                  ${command.text}${command.unit ? html` <span class="muted">[${command.unit}]</span>` : nothing}
-                </td>
-                <td><code>${command.example}</code></td>
-                <td class="muted">${command.section}</td>
-              </tr>
-            `,
-          )}
-        </tbody>
-      </table>
-    `;
+    return commands.map(
+      (command) => html`
+        <button class="plain" @click=${() => this.#pick(command)}>
+          <code>${command.syntax}</code>
+          <span>${command.text}${command.unit ? html` <span class="muted">[${command.unit}]</span>` : nothing}</span>
+          <code class="muted">${command.example}</code>
+          <span class="muted">${command.section}</span>
+        </button>
+      `,
+    );
   }
 
   #traffic() {
