@@ -53,8 +53,9 @@ export function options(
         grid,
         ticks: grid,
         font,
+        space: 80,
         // There is nothing before a device was switched on.
-        values: (_, ticks) => ticks.map((tick) => (tick < 0 ? "" : `${number(tick)} s`)),
+        values: (_, ticks) => ticks.map((tick) => (tick < 0 ? "" : `${tick} s`)),
       },
       ...scales.map((scale, n) => ({
         scale,

@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-VE7L9XxY.js";import"./curves-CPpNlRlQ.js";import{t as r}from"./tab-DFOdOdjh.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
