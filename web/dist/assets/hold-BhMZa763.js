@@ -1,4 +1,4 @@
-import{S as e,b as t,f as n,v as r,y as i}from"./index-BCme_31W.js";var a=e`
+import{S as e,b as t,f as n,v as r,y as i}from"./index-DiN-ZWwY.js";var a=e`
   .lamp {
     display: inline-flex;
     align-items: center;

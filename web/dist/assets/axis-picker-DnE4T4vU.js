@@ -1,4 +1,4 @@
-import{b as e,y as t}from"./index-BCme_31W.js";function n(n,r,i,a){return n.length<2?t:e`
+import{b as e,y as t}from"./index-DiN-ZWwY.js";function n(n,r,i,a){return n.length<2?t:e`
     <div class="row" role="radiogroup" aria-label="Axis">
       ${n.map(t=>e`
           <label class="line">

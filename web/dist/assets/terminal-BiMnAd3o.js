@@ -1,4 +1,4 @@
-import{S as e,b as t,f as n,p as r,y as i}from"./index-BCme_31W.js";import{n as a}from"./files-DqKkerva.js";import{t as o}from"./tab-DLLTw7V_.js";function s(e){return/^\s*([A-Za-z]*)/.exec(e)?.[1]??``}function c(e,t){let n=s(t).toUpperCase();if(n===``||t.trim()!==s(t))return[];let r=new Set,i=e.filter(({name:e,syntax:t})=>{let i=e.toUpperCase().startsWith(n)&&!r.has(t);return i&&r.add(t),i});return i.sort((e,t)=>e.name.length-t.name.length||e.name.localeCompare(t.name)),i.slice(0,12)}function l(e,t){let n=s(t).toUpperCase();if(n===``)return[];let r=e.filter(({name:e})=>e!==``&&n.startsWith(e.toUpperCase())),i=Math.max(0,...r.map(({name:e})=>e.length));return r.filter(({name:e})=>e.length===i)}var u=class{#e;#t;#n=``;constructor(e=[]){this.#e=e.slice(-200),this.#t=this.#e.length}get lines(){return this.#e}add(e){e!==``&&e!==this.#e.at(-1)&&(this.#e=[...this.#e,e].slice(-200)),this.#t=this.#e.length,this.#n=``}older(e){return this.#t===0?null:(this.#t===this.#e.length&&(this.#n=e),--this.#t,this.#e[this.#t]??null)}newer(){return this.#t===this.#e.length?null:(this.#t+=1,this.#e[this.#t]??this.#n)}};function d(e,{words:t,direction:n}){let r=t.toLowerCase().split(/\s+/).filter(e=>e!==``&&e!==`-`);return e.filter(e=>n!==`both`&&e.out!==(n===`out`)?!1:r.every(t=>t.startsWith(`-`)?!f(e,t.slice(1)):f(e,t)))}function f(e,t){return e.text.toLowerCase().includes(t)?!0:/^([0-9a-f]{2})+$/.test(t)&&p(e.hex,t)}function p(e,t){let n=e.replace(/\s/g,``).toLowerCase();for(let e=n.indexOf(t);e>=0;e=n.indexOf(t,e+1))if(e%2==0)return!0;return!1}function m(e){let t=e=>`"${e.replaceAll(`"`,`""`)}"`;return[`seconds,direction,hex,text`,...e.map(({at:e,out:n,hex:r,text:i})=>[e.toFixed(6),n?`out`:`in`,r,t(i)].join(`,`)),``].join(`\r
+import{S as e,b as t,f as n,p as r,y as i}from"./index-DiN-ZWwY.js";import{n as a}from"./files-DqKkerva.js";import{t as o}from"./tab-Cc1zuxq_.js";function s(e){return/^\s*([A-Za-z]*)/.exec(e)?.[1]??``}function c(e,t){let n=s(t).toUpperCase();if(n===``||t.trim()!==s(t))return[];let r=new Set,i=e.filter(({name:e,syntax:t})=>{let i=e.toUpperCase().startsWith(n)&&!r.has(t);return i&&r.add(t),i});return i.sort((e,t)=>e.name.length-t.name.length||e.name.localeCompare(t.name)),i.slice(0,12)}function l(e,t){let n=s(t).toUpperCase();if(n===``)return[];let r=e.filter(({name:e})=>e!==``&&n.startsWith(e.toUpperCase())),i=Math.max(0,...r.map(({name:e})=>e.length));return r.filter(({name:e})=>e.length===i)}var u=class{#e;#t;#n=``;constructor(e=[]){this.#e=e.slice(-200),this.#t=this.#e.length}get lines(){return this.#e}add(e){e!==``&&e!==this.#e.at(-1)&&(this.#e=[...this.#e,e].slice(-200)),this.#t=this.#e.length,this.#n=``}older(e){return this.#t===0?null:(this.#t===this.#e.length&&(this.#n=e),--this.#t,this.#e[this.#t]??null)}newer(){return this.#t===this.#e.length?null:(this.#t+=1,this.#e[this.#t]??this.#n)}};function d(e,{words:t,direction:n}){let r=t.toLowerCase().split(/\s+/).filter(e=>e!==``&&e!==`-`);return e.filter(e=>n!==`both`&&e.out!==(n===`out`)?!1:r.every(t=>t.startsWith(`-`)?!f(e,t.slice(1)):f(e,t)))}function f(e,t){return e.text.toLowerCase().includes(t)?!0:/^([0-9a-f]{2})+$/.test(t)&&p(e.hex,t)}function p(e,t){let n=e.replace(/\s/g,``).toLowerCase();for(let e=n.indexOf(t);e>=0;e=n.indexOf(t,e+1))if(e%2==0)return!0;return!1}function m(e){let t=e=>`"${e.replaceAll(`"`,`""`)}"`;return[`seconds,direction,hex,text`,...e.map(({at:e,out:n,hex:r,text:i})=>[e.toFixed(6),n?`out`:`in`,r,t(i)].join(`,`)),``].join(`\r
 `)}var h=class extends o{static properties={...o.properties,typed:{state:!0},exchanges:{state:!0},hex:{state:!0},filter:{state:!0},paused:{state:!0}};watches=[`traffic`];#e=null;#t=null;static styles=[n,e`
       .row > select {
         width: auto;
@@ -49,17 +49,16 @@ import{S as e,b as t,f as n,p as r,y as i}from"./index-BCme_31W.js";import{n as 
         border: 1px solid var(--line);
         border-radius: var(--radius);
       }
-      .help table {
+      .help button {
+        display: grid;
+        grid-template-columns: minmax(0, 3fr) minmax(0, 5fr) minmax(0, 2fr) 4em;
+        gap: 10px;
+        width: 100%;
+        min-height: 26px;
         font-size: 13px;
-      }
-      .help tr[role="option"] {
-        cursor: pointer;
-      }
-      .help tr[role="option"]:hover {
-        background: var(--raised);
-      }
-      .help td:first-child {
-        white-space: nowrap;
+        font-weight: 400;
+        text-align: left;
+        white-space: normal;
       }
       .line input {
         flex: 1 1 12em;
@@ -113,7 +112,7 @@ import{S as e,b as t,f as n,p as r,y as i}from"./index-BCme_31W.js";import{n as 
                 Arrow keys bring back earlier lines, Tab completes.
               </p>`:this.exchanges.map(e=>this.#m(e))}
         </div>
-        <div id="help" class="help" ?hidden=${this.typed===``}>${this.#h()}</div>
+        <div id="help" class="help" role="group" aria-label="Help" ?hidden=${this.typed===``}>${this.#h()}</div>
         <form class="row line" @submit=${this.#i}>
           <input
             id="line"
@@ -140,22 +139,14 @@ import{S as e,b as t,f as n,p as r,y as i}from"./index-BCme_31W.js";import{n as 
             ${this.hex?t`<div class="more">→ ${n.hex_request}</div>
                   <div class="more">← ${n.hex_reply}</div>`:i}
           `}
-    `}#h(){let e=c(this.catalog.commands,this.typed),n=e.length>0?e:l(this.catalog.commands,this.typed);return n.length===0?i:t`
-      <table aria-label="Help">
-        <tbody role="listbox" aria-label="Commands">
-          ${n.map(e=>t`
-              <tr role="option" aria-selected="false" @click=${()=>this.#l(e)}>
-                <td><code>${e.syntax}</code></td>
-                <td>
-                  ${e.text}${e.unit?t` <span class="muted">[${e.unit}]</span>`:i}
-                </td>
-                <td><code>${e.example}</code></td>
-                <td class="muted">${e.section}</td>
-              </tr>
-            `)}
-        </tbody>
-      </table>
-    `}#g(){let e=d(this.paused??this.live.traffic,this.filter),n=e.slice(-200);return t`
+    `}#h(){let e=c(this.catalog.commands,this.typed),n=e.length>0?e:l(this.catalog.commands,this.typed);return n.length===0?i:n.map(e=>t`
+        <button class="plain" @click=${()=>this.#l(e)}>
+          <code>${e.syntax}</code>
+          <span>${e.text}${e.unit?t` <span class="muted">[${e.unit}]</span>`:i}</span>
+          <code class="muted">${e.example}</code>
+          <span class="muted">${e.section}</span>
+        </button>
+      `)}#g(){let e=d(this.paused??this.live.traffic,this.filter),n=e.slice(-200);return t`
       <section class="panel" aria-label="Traffic">
         <div class="row">
           <h2 class="grow">Traffic</h2>

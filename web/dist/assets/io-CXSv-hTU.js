@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-BCme_31W.js";import{t as f}from"./tab-DLLTw7V_.js";import{t as p}from"./axis-picker-13ObR41Q.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,e`
+import{S as e,a as t,b as n,c as r,f as i,l as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-DiN-ZWwY.js";import{t as f}from"./tab-Cc1zuxq_.js";import{t as p}from"./axis-picker-DnE4T4vU.js";var m=1e3,h=[`pin`,`axis`,`port`,`way`,`bytes`],g={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},_=class extends f{static properties={...f.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[i,e`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));

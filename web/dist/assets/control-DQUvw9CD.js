@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,y as f}from"./index-BCme_31W.js";import{n as p,t as m}from"./hold-C8gdVlQ9.js";import{t as h}from"./tab-DLLTw7V_.js";import"./curves-C5-UoPuO.js";import{t as g}from"./axis-picker-13ObR41Q.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,p,e`
+import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,y as f}from"./index-DiN-ZWwY.js";import{n as p,t as m}from"./hold-BhMZa763.js";import{t as h}from"./tab-Cc1zuxq_.js";import"./curves-C0BZHrjx.js";import{t as g}from"./axis-picker-DnE4T4vU.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,p,e`
       .panel {
         display: flex;
         flex-direction: column;

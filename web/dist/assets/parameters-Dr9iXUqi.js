@@ -1,4 +1,4 @@
-import{S as e,b as t,c as n,d as r,f as i,l as a,p as o,u as s,y as c}from"./index-BCme_31W.js";import{i as l,n as u,r as d,t as f}from"./value-BA77vwhC.js";import{n as p,t as m}from"./files-DqKkerva.js";import{t as h}from"./tab-DLLTw7V_.js";var g=`pulsetrain parameters`,_=1,v=1<<20;function y(e,t,n,r){let i={};for(let{id:t,readable:r,writable:a}of e.parameters){let e=n[t];r&&a&&e!==void 0&&(i[t]=e)}let a={format:g,version:_,model:e.model,device:t,date:r.toISOString(),parameters:i};return`${JSON.stringify(a,null,2)}\n`}function b(e,t){let n;try{n=JSON.parse(t)}catch(e){return`The file is not JSON: ${e.message}.`}if(!S(n)||n.format!==g)return`The file has no parameters of a controller.`;if(n.version!==_)return`The file is of a newer version of this page.`;if(n.model!==e.model)return`The file is of a ${String(n.model)}, not of a ${e.model}.`;let r=n.parameters;if(!S(r))return`The file has no parameters.`;let i=new Map(e.parameters.map(e=>[e.id,e])),a=new Map,o=[];for(let[e,t]of Object.entries(r)){let n=i.get(e),r=n===void 0?`There is no such parameter.`:n.writable?x(n,t):`Read only.`;n!==void 0&&r===null?a.set(n,t):o.push(`${e}: ${r}`)}return{device:String(n.device??``),date:String(n.date??``),values:a,problems:o}}function x(e,t){return typeof t==`number`||typeof t==`string`?f(e,t):`Neither a number nor text.`}function S(e){return typeof e==`object`&&!!e&&!Array.isArray(e)}function C(e,t,n){let r=[];for(let i of e.parameters){let e=t.get(i);e!==void 0&&e!==n[i.id]&&r.push({info:i,from:n[i.id],to:e})}return r}var w=class extends h{static properties={...h.properties,values:{state:!0},words:{state:!0},group:{state:!0},only:{state:!0},busy:{state:!0},comparison:{state:!0}};#e=new Map;#t=new Map;#n=new Set;#r=!1;static styles=[i,e`
+import{S as e,b as t,c as n,d as r,f as i,l as a,p as o,u as s,y as c}from"./index-DiN-ZWwY.js";import{i as l,n as u,r as d,t as f}from"./value-BA77vwhC.js";import{n as p,t as m}from"./files-DqKkerva.js";import{t as h}from"./tab-Cc1zuxq_.js";var g=`pulsetrain parameters`,_=1,v=1<<20;function y(e,t,n,r){let i={};for(let{id:t,readable:r,writable:a}of e.parameters){let e=n[t];r&&a&&e!==void 0&&(i[t]=e)}let a={format:g,version:_,model:e.model,device:t,date:r.toISOString(),parameters:i};return`${JSON.stringify(a,null,2)}\n`}function b(e,t){let n;try{n=JSON.parse(t)}catch(e){return`The file is not JSON: ${e.message}.`}if(!S(n)||n.format!==g)return`The file has no parameters of a controller.`;if(n.version!==_)return`The file is of a newer version of this page.`;if(n.model!==e.model)return`The file is of a ${String(n.model)}, not of a ${e.model}.`;let r=n.parameters;if(!S(r))return`The file has no parameters.`;let i=new Map(e.parameters.map(e=>[e.id,e])),a=new Map,o=[];for(let[e,t]of Object.entries(r)){let n=i.get(e),r=n===void 0?`There is no such parameter.`:n.writable?x(n,t):`Read only.`;n!==void 0&&r===null?a.set(n,t):o.push(`${e}: ${r}`)}return{device:String(n.device??``),date:String(n.date??``),values:a,problems:o}}function x(e,t){return typeof t==`number`||typeof t==`string`?f(e,t):`Neither a number nor text.`}function S(e){return typeof e==`object`&&!!e&&!Array.isArray(e)}function C(e,t,n){let r=[];for(let i of e.parameters){let e=t.get(i);e!==void 0&&e!==n[i.id]&&r.push({info:i,from:n[i.id],to:e})}return r}var w=class extends h{static properties={...h.properties,values:{state:!0},words:{state:!0},group:{state:!0},only:{state:!0},busy:{state:!0},comparison:{state:!0}};#e=new Map;#t=new Map;#n=new Set;#r=!1;static styles=[i,e`
       .row > select {
         width: auto;
         max-width: 100%;
@@ -77,6 +77,27 @@ import{S as e,b as t,c as n,d as r,f as i,l as a,p as o,u as s,y as c}from"./ind
           position: static;
         }
       }
+      @media (max-width: 600px) {
+        section thead {
+          display: none;
+        }
+        section tr {
+          display: grid;
+          grid-template-columns: 1fr auto;
+          border-bottom: 1px solid var(--line);
+        }
+        section td {
+          width: auto;
+          border: 0;
+        }
+        td.name,
+        td.value {
+          grid-column: 1 / 3;
+        }
+        td.marks {
+          grid-area: 1 / 2;
+        }
+      }
     `];constructor(){super(),this.values={},this.words=``,this.group=``,this.only=`all`,this.busy=null,this.comparison=null}willUpdate(e){super.willUpdate(e),this.active&&this.reachable&&!this.#r&&(this.#r=!0,this.#a())}async#i(e,t,n){if(this.busy!==null)return!1;this.busy=e;let r=await a(t,n);return this.busy=null,r}#a(){return this.#i(`Reading…`,()=>this.#o())}async#o(){this.values=await this.api.parameters(this.device.name)}#s(e){return this.#i(`Writing…`,async()=>{let t=0;for(let[n,r]of e)try{await this.api.setParameter(this.device.name,n.id,r),this.#e.delete(n.id),this.#t.delete(n.id),n.stored&&this.#n.add(n.id)}catch(e){t+=1,this.#e.set(n.id,l(n,r)),this.#t.set(n.id,o(e))}if(await this.#o(),t>0)throw Error(`${t} of ${e.size} parameters were not taken; they are marked.`);s(e.size===1?`Written`:`${e.size} parameters written`)})}#c(e,t){let n=this.values[e.id];if(n!==void 0&&t===l(e,n))this.#l(e);else{this.#e.set(e.id,t);let n=u(e,t);n.ok?this.#t.delete(e.id):this.#t.set(e.id,n.problem)}this.requestUpdate()}#l(e){this.#e.delete(e.id),this.#t.delete(e.id),this.requestUpdate()}#u(e){let t=new Map;for(let n of e){let e=this.#e.get(n.id),r=e===void 0?null:u(n,e);r?.ok&&t.set(n,r.value)}return t}#d(e,t){if(e.key===`Enter`){let e=this.#u([t]);e.size>0&&this.usable&&this.#s(e)}if(e.key===`Escape`){this.#l(t);let n=this.values[t.id];e.target.value=n===void 0?``:l(t,n)}}async#f(){await this.#i(`Storing…`,()=>this.api.storeParameters(this.device.name),`Stored`)&&this.#n.clear(),this.requestUpdate()}async#p(){await n({heading:`Restore factory settings?`,text:`Every parameter of ${this.device.name} goes back to its default, stored ones too. This cannot be undone.`,yes:`Restore`,danger:!0})&&await this.#i(`Restoring…`,async()=>{await this.api.restoreFactory(this.device.name);for(let e of[this.#e,this.#t,this.#n])e.clear();await this.#o()},`Factory settings restored`)}async#m(){await this.#i(`Reading…`,async()=>{await this.#o();let e=new Date,t=`${this.device.name}-${e.toISOString().slice(0,10)}.json`;p(t,y(this.catalog,this.device.name,this.values,e),`application/json`)})}async#h(){await a(async()=>{let e=await m(`.json,application/json`,v);if(e===null)return;let t=b(this.catalog,e.text);if(typeof t==`string`)throw Error(t);await this.#o(),this.comparison={name:e.name,file:t,changes:C(this.catalog,t.values,this.values)}})}async#g(e){this.comparison=null,await this.#s(new Map(e.map(({info:e,to:t})=>[e,t])))}#_(e){let t=this.values[e.id];return e.writable&&e.default!==null&&t!==void 0&&t!==e.default}#v(){let e=this.words.toLowerCase().split(/\s+/).filter(Boolean);return this.catalog.parameters.filter(t=>{if(this.group!==``&&T(t)!==this.group||this.only===`changed`&&!this.#_(t)||this.only===`unstored`&&!this.#n.has(t.id)||this.only===`edited`&&!this.#e.has(t.id))return!1;let n=`${t.id} ${t.symbol} ${t.name} ${t.text} ${t.unit} ${T(t)}`.toLowerCase();return e.every(e=>n.includes(e))})}render(){let e=this.#v(),n=new Map;for(let t of e)n.set(T(t),[...n.get(T(t))??[],t]);return t`
       ${this.#y(e.length)}
       ${[...n].map(([e,t])=>this.#b(e,t))}
@@ -146,7 +167,7 @@ import{S as e,b as t,c as n,d as r,f as i,l as a,p as o,u as s,y as c}from"./ind
     `}#x(e){let n=this.#e.get(e.id);return t`
       <tr class=${n===void 0?``:`edited`}>
         <td class="id"><code>${e.id}</code></td>
-        <td>
+        <td class="name">
           ${e.name}
           <div class="what">${e.text}${e.symbol?t` <code class="wide">${e.symbol}</code>`:c}</div>
         </td>

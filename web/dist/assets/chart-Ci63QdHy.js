@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-BCme_31W.js";import"./curves-C5-UoPuO.js";import{t as r}from"./tab-DLLTw7V_.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
