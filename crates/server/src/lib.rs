@@ -24,7 +24,7 @@ mod unit;
 mod worker;
 
 pub use clock::SPEEDS;
-pub use http::Token;
+pub use http::{HttpSettings, Tls, Token};
 pub use signals::Signals;
 
 use endpoint::{Door, Line};
@@ -53,8 +53,8 @@ use worker::Workers;
 pub struct Settings {
     /// The devices, each with its endpoints. The names differ.
     pub devices: Vec<DeviceConfig>,
-    /// Where HTTP listens, as `ADDR:PORT`, and the token it asks for; `None` for no HTTP.
-    pub http: Option<(String, Token)>,
+    /// The HTTP interface; `None` for none.
+    pub http: Option<HttpSettings>,
     /// Seconds of device time a second of wall clock, in [`SPEEDS`].
     pub speed: f64,
     /// Where the flash images live; without it they are lost at the end.
@@ -78,6 +78,17 @@ pub enum Error {
         endpoint: String,
         /// What the system says.
         source: io::Error,
+    },
+    /// HTTP would listen where others can connect, without TLS.
+    #[error("http {0}: other machines could listen in there; say --tls-cert and --tls-key, or --insecure")]
+    Exposed(String),
+    /// A certificate or its key cannot be used.
+    #[error("{}: {problem}", path.display())]
+    Certificate {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
     },
     /// A device cannot be at one of its endpoints.
     #[error("{endpoint}: {source}")]
@@ -170,8 +181,7 @@ impl Server {
             door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
         };
         let doors = buses.iter().map(open).collect::<Result<Vec<_>, _>>()?;
-        let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
-        let http = http.transpose()?;
+        let http = settings.http.map(Http::bind).transpose()?;
         let mut images = Images::open(settings.state)?;
         let flashes = settings.devices.iter().map(|config| images.load(config));
         let flashes = flashes.collect::<Result<Vec<_>, _>>()?;
@@ -204,7 +214,7 @@ impl Server {
         for (unit, endpoints) in units.iter().zip(&endpoints) {
             ready.extend(endpoints.iter().map(|endpoint| (unit.name.clone(), endpoint.clone())));
         }
-        let url = http.as_ref().map(|(http, token)| http.url(token));
+        let url = http.as_ref().map(Http::url);
 
         let (stop, threads) = (Stop::new()?, Vec::new());
         let mut server = Self { ready, url, stop, threads, images, units: units.clone(), tapes, runtime };
@@ -219,12 +229,11 @@ impl Server {
         if let Some(keeper) = server.images.keeper(server.stop.watch()) {
             server.spawn("images", keeper)?;
         }
-        if let Some((http, token)) = http {
+        if let Some(http) = http {
             let units = units.into_iter().zip(endpoints).collect();
             server.runtime.spawn(async move {
-                if let Err(error) = http.serve(token, units).await {
-                    eprintln!("warning: HTTP ends: {error}");
-                }
+                let Err(error) = http.serve(units).await;
+                eprintln!("warning: HTTP ends: {error}");
             });
         }
         Ok(server)

@@ -2,18 +2,25 @@
 
 mod api;
 mod calls;
+mod connection;
 mod debug;
 mod guard;
 mod lease;
+mod limits;
+mod lsp;
 mod page;
 mod request;
 mod serve;
+mod socket;
 mod stream;
+mod tls;
 mod view;
 
 pub use guard::Token;
 pub(crate) use request::{Answer, Place, Problem, at};
 pub(crate) use serve::Http;
+pub use serve::HttpSettings;
+pub use tls::Tls;
 
 use crate::unit::Unit;
 use axum::{
@@ -22,6 +29,7 @@ use axum::{
     response::{IntoResponse, Response},
 };
 use lease::Control;
+use limits::Limits;
 use std::{net::SocketAddr, sync::Arc};
 
 /// What the calls need.
@@ -29,6 +37,7 @@ pub(crate) struct Site {
     pub address: SocketAddr,
     pub token: Token,
     pub control: Control,
+    pub limits: Arc<Limits>,
     /// The devices, with the endpoints that each can be reached by.
     pub units: Vec<(Arc<Unit>, Vec<String>)>,
 }

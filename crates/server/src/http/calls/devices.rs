@@ -2,7 +2,7 @@
 
 use super::{
     super::{
-        Failure,
+        socket::{SHORT_MESSAGE, Upgrade},
         stream::stream as states,
         view::{Summary, View},
     },
@@ -10,7 +10,7 @@ use super::{
 };
 use axum::{
     Json,
-    extract::{State, WebSocketUpgrade, ws::rejection::WebSocketUpgradeRejection},
+    extract::State,
     response::{IntoResponse, Response},
 };
 
@@ -30,12 +30,7 @@ pub async fn show(State(site): Shared, place: Place<String>) -> Answer<Response>
 
 /// A WebSocket with the state of a virtual device, thirty times a second
 #[utoipa::path(get, path = "/api/devices/{device}/stream", tag = "devices", responses((status = 101)))]
-pub async fn stream(
-    State(site): Shared,
-    place: Place<String>,
-    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
-) -> Answer<Response> {
+pub async fn stream(State(site): Shared, place: Place<String>, upgrade: Upgrade) -> Answer<Response> {
     let number = site.find(&at(place)?)?;
-    let upgrade = upgrade.map_err(|why| Failure::new(why.status(), "this is a WebSocket"))?;
-    Ok(upgrade.on_upgrade(move |socket| states(socket, site, number)))
+    Ok(upgrade.run(SHORT_MESSAGE, move |socket| states(socket, site, number)))
 }
