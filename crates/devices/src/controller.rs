@@ -147,8 +147,8 @@ pub trait Controller {
     /// The pins; their index is their number everywhere.
     fn pins(&self) -> &'static [Pin];
 
-    /// The number, 0 to 99, that tells several of its kind on USB apart: as it was set at power-up. Asked of
-    /// those [models](crate::Model::hid_product) alone that have one.
+    /// The address on RS-485 that it listens to now. Where its name on USB has a
+    /// [number](crate::Model::hid_product) it is the same, 0 to 99.
     fn number(&self) -> u8 {
         0
     }

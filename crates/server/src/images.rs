@@ -8,6 +8,7 @@ use sim::{
 use std::{
     fs::{self, File, TryLockError},
     path::PathBuf,
+    sync::{Arc, Mutex, MutexGuard, PoisonError},
     time::Duration,
 };
 
@@ -17,16 +18,18 @@ const PERIOD: Duration = Duration::from_millis(100);
 /// Locked while a process uses the directory.
 const LOCK_FILE: &str = ".lock";
 
-/// The images of all devices.
+/// The images of all devices. Its clones are the same.
+#[derive(Clone)]
 pub(crate) struct Images {
     directory: Option<PathBuf>,
-    images: Vec<Image>,
-    _lock: Option<File>,
+    images: Arc<Mutex<Vec<Image>>>,
+    _lock: Option<Arc<File>>,
 }
 
 /// One device's memory and the file it goes to.
-#[derive(Clone)]
 struct Image {
+    /// The device.
+    name: String,
     flash: SharedFlash,
     path: PathBuf,
     /// How many operations the memory had seen when it was saved.
@@ -46,27 +49,35 @@ impl Images {
                 Err(TryLockError::Error(source)) => Err(failed(source)),
             }
         });
-        Ok(Self { directory, images: Vec::new(), _lock: lock.transpose()? })
+        Ok(Self { directory, images: Arc::default(), _lock: lock.transpose()?.map(Arc::new) })
     }
 
     /// The memory of a device, as its file has it.
-    pub fn load(&mut self, config: &DeviceConfig) -> Result<SharedFlash, Error> {
+    pub fn load(&self, config: &DeviceConfig) -> Result<SharedFlash, Error> {
         let Some(directory) = &self.directory else {
             return Ok(SharedFlash::erased(config.model.flash_bytes));
         };
         let path = image_path(directory, &config.name);
         let flash = SharedFlash::load(&path, config.model.flash_bytes)?;
-        self.images.push(Image { saved: flash.operations(), flash: flash.clone(), path });
+        let (name, saved) = (config.name.clone(), flash.operations());
+        self.images().push(Image { name, saved, flash: flash.clone(), path });
         Ok(flash)
     }
 
-    /// Saves what has changed until it is over; `None` if there is nothing to keep.
+    /// Saves the memory of a device that is no more.
+    pub fn forget(&self, name: &str) -> Result<(), ImageError> {
+        let mut images = self.images();
+        let Some(place) = images.iter().position(|image| image.name == name) else { return Ok(()) };
+        images.swap_remove(place).save()
+    }
+
+    /// Saves what has changed until it is over; `None` if nothing is ever kept.
     pub fn keeper(&self, stop: Watch) -> Option<impl FnOnce() + Send + 'static> {
-        let mut images = self.images.clone();
-        (!images.is_empty()).then_some(move || {
+        let images = self.clone();
+        self.directory.is_some().then_some(move || {
             let mut told = false;
             while !stop.within(PERIOD) {
-                for image in &mut images {
+                for image in &mut *images.images() {
                     if let Err(error) = image.save()
                         && !told
                     {
@@ -79,9 +90,13 @@ impl Images {
     }
 
     /// Saves all that have changed.
-    pub fn save(mut self) -> Result<(), Error> {
-        let results: Vec<_> = self.images.iter_mut().map(Image::save).collect();
+    pub fn save(&self) -> Result<(), Error> {
+        let results: Vec<_> = self.images().iter_mut().map(Image::save).collect();
         Ok(results.into_iter().collect::<Result<(), _>>()?)
+    }
+
+    fn images(&self) -> MutexGuard<'_, Vec<Image>> {
+        self.images.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

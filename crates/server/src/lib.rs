@@ -15,46 +15,42 @@ mod breaks;
 mod clock;
 mod desk;
 mod endpoint;
+mod group;
 mod http;
 mod images;
 mod ready;
+mod samples;
 mod signals;
 mod stop;
 mod unit;
 mod worker;
 
 pub use clock::SPEEDS;
-pub use http::{HttpSettings, Tls, Token};
+pub use http::Token;
 pub use signals::Signals;
 
-use endpoint::{Door, Line};
+use desk::{Desk, Seat};
+use group::Group;
 use http::Http;
 use images::Images;
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use sim::{
-    Bus, DeviceConfig, Endpoint, FaultError, PlaceError, Scenario, VirtualDevice,
+    DeviceConfig, FaultError, PlaceError, Scenario, VirtualDevice,
     flash::ImageError,
     record::{self, RecordError},
     tape::{self, Tape, TapeError},
 };
-use std::{
-    io,
-    num::NonZero,
-    path::PathBuf,
-    sync::Arc,
-    thread::{self, JoinHandle},
-};
+use std::{io, num::NonZero, path::PathBuf, sync::Arc, thread::JoinHandle};
 use stop::Stop;
 use tokio::runtime::Runtime;
 use unit::Unit;
-use worker::Workers;
 
 /// What to serve, and how.
 pub struct Settings {
     /// The devices, each with its endpoints. The names differ.
     pub devices: Vec<DeviceConfig>,
-    /// The HTTP interface; `None` for none.
-    pub http: Option<HttpSettings>,
+    /// Where HTTP listens, as `ADDR:PORT`, and the token it asks for; `None` for no HTTP.
+    pub http: Option<(String, Token)>,
     /// Seconds of device time a second of wall clock, in [`SPEEDS`].
     pub speed: f64,
     /// Where the flash images live; without it they are lost at the end.
@@ -78,17 +74,6 @@ pub enum Error {
         endpoint: String,
         /// What the system says.
         source: io::Error,
-    },
-    /// HTTP would listen where others can connect, without TLS.
-    #[error("http {0}: other machines could listen in there; say --tls-cert and --tls-key, or --insecure")]
-    Exposed(String),
-    /// A certificate or its key cannot be used.
-    #[error("{}: {problem}", path.display())]
-    Certificate {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        problem: String,
     },
     /// A device cannot be at one of its endpoints.
     #[error("{endpoint}: {source}")]
@@ -150,6 +135,7 @@ pub struct Server {
     threads: Vec<JoinHandle<()>>,
     images: Images,
     units: Vec<Arc<Unit>>,
+    desk: Arc<Desk>,
     tapes: Vec<Tape>,
     runtime: Runtime,
 }
@@ -169,20 +155,10 @@ impl Server {
 
         raise_file_limit();
         // Everything that can fail comes before the first thread.
-        for (index, device) in settings.devices.iter().enumerate() {
-            for endpoint in &device.listen {
-                let place = device.fits(endpoint, &settings.devices[..index]);
-                place.map_err(|source| Error::Place { endpoint: endpoint.to_string(), source })?;
-            }
-        }
-        let buses = sim::buses(&settings.devices);
-        let open = |bus: &Bus| {
-            let door = Door::open(&bus.endpoint);
-            door.map_err(|source| Error::Listen { endpoint: bus.endpoint.to_string(), source })
-        };
-        let doors = buses.iter().map(open).collect::<Result<Vec<_>, _>>()?;
-        let http = settings.http.map(Http::bind).transpose()?;
-        let mut images = Images::open(settings.state)?;
+        let mut group = Group::open(&settings.devices, settings.workers)?;
+        let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
+        let http = http.transpose()?;
+        let images = Images::open(settings.state)?;
         let flashes = settings.devices.iter().map(|config| images.load(config));
         let flashes = flashes.collect::<Result<Vec<_>, _>>()?;
         let seed = random_seed();
@@ -191,7 +167,6 @@ impl Server {
         let (tapes, files): (Vec<_>, Vec<_>) = settings.record.iter().partition(|path| tape::is_tape(path));
         let tapes =
             tapes.into_iter().map(|path| Tape::create(path, &heads)).collect::<Result<Vec<_>, _>>()?;
-        let mut workers = Workers::new(settings.workers, buses.len())?;
         let mut units = Vec::new();
         for (number, (config, flash)) in settings.devices.iter().zip(&flashes).enumerate() {
             let mut device = VirtualDevice::with_flash(config, flash.clone(), seed);
@@ -205,35 +180,30 @@ impl Server {
                     .plan(planned)
                     .map_err(|source| Error::Fault { device: config.name.clone(), source })?;
             }
-            let home = buses.iter().position(|bus| bus.members.contains(&number));
-            units.push(workers.add_unit(home, |alarm| Unit::new(config, device, settings.speed, alarm)));
+            units.push(group.add(device, settings.speed));
         }
 
-        let endpoints = endpoints(&settings.devices, &buses, &doors);
-        let mut ready = Vec::new();
-        for (unit, endpoints) in units.iter().zip(&endpoints) {
+        let (mut ready, mut seats) = (Vec::new(), Vec::new());
+        for (number, (unit, config)) in units.iter().zip(&settings.devices).enumerate() {
+            let (endpoints, ports) = (group.endpoints(number), group.ports(number));
             ready.extend(endpoints.iter().map(|endpoint| (unit.name.clone(), endpoint.clone())));
+            seats.push(Seat::of_unit(config.model, Arc::clone(unit), endpoints, &ports, None));
         }
-        let url = http.as_ref().map(Http::url);
+        let url = http.as_ref().map(|(http, token)| http.url(token));
+        let desk = Arc::new(Desk::new(seats, settings.speed, images.clone()));
 
-        let (stop, threads) = (Stop::new()?, Vec::new());
-        let mut server = Self { ready, url, stop, threads, images, units: units.clone(), tapes, runtime };
-        for (number, (bus, door)) in buses.iter().zip(doors).enumerate() {
-            let port = |member: &usize| (Arc::clone(&units[*member]), port(bus));
-            workers.add_door(number, door, Line::new(bus.members.iter().map(port).collect()));
-        }
-        for worker in workers {
-            let stop = server.stop.watch();
-            server.spawn("worker", move || worker.work(stop))?;
-        }
+        let stop = Stop::new()?;
+        let threads = group.serve(&stop)?;
+        let mut server = Self { ready, url, stop, threads, images, units, desk, tapes, runtime };
         if let Some(keeper) = server.images.keeper(server.stop.watch()) {
-            server.spawn("images", keeper)?;
+            server.threads.push(group::spawn("images", keeper)?);
         }
-        if let Some(http) = http {
-            let units = units.into_iter().zip(endpoints).collect();
+        if let Some((http, token)) = http {
+            let desk = Arc::clone(&server.desk);
             server.runtime.spawn(async move {
-                let Err(error) = http.serve(units).await;
-                eprintln!("warning: HTTP ends: {error}");
+                if let Err(error) = http.serve(token, desk).await {
+                    eprintln!("warning: HTTP ends: {error}");
+                }
             });
         }
         Ok(server)
@@ -263,6 +233,7 @@ impl Server {
     /// A recording or an image cannot be saved; the others are.
     pub fn stop(self) -> Result<(), Error> {
         drop(self.stop);
+        self.desk.close();
         // What is still asked over HTTP is answered or not; the state no longer counts.
         self.runtime.shutdown_background();
         for thread in self.threads {
@@ -278,32 +249,6 @@ impl Server {
         }
         result
     }
-
-    fn spawn(&mut self, name: &str, work: impl FnOnce() + Send + 'static) -> Result<(), Error> {
-        let thread = thread::Builder::new().name(name.into()).spawn(work);
-        self.threads.push(thread.map_err(Error::system("thread"))?);
-        Ok(())
-    }
-}
-
-/// The endpoints of each device with their real ports, in the order in which the device names them.
-fn endpoints(devices: &[DeviceConfig], buses: &[Bus], doors: &[Door]) -> Vec<Vec<String>> {
-    let of_device = |(index, device): (usize, &DeviceConfig)| {
-        let mut own: Vec<_> =
-            buses.iter().zip(doors).filter(|(bus, _)| bus.members.contains(&index)).collect();
-        own.sort_by_key(|(bus, _)| device.listen.iter().position(|endpoint| *endpoint == bus.endpoint));
-        own.into_iter().map(|(bus, door)| door.name(&bus.endpoint)).collect()
-    };
-    devices.iter().enumerate().map(of_device).collect()
-}
-
-/// The port that a device on this bus is connected by.
-fn port(bus: &Bus) -> devices::Port {
-    match bus.endpoint {
-        Endpoint::SlcanTcp { .. } => devices::Port::Can,
-        _ if bus.is_shared() => devices::Port::Rs485,
-        _ => devices::Port::Usb,
-    }
 }
 
 /// Every endpoint and every client is an open file, and what a shell allows is often little.
@@ -313,7 +258,7 @@ fn raise_file_limit() {
     let _ = setrlimit(Resource::Nofile, Rlimit { current: limit.maximum, ..limit });
 }
 
-fn random_seed() -> u64 {
+pub(crate) fn random_seed() -> u64 {
     // Without random numbers every run has the same ones, which harms nobody.
     getrandom::u64().unwrap_or(0)
 }

@@ -8,12 +8,16 @@ use crate::{
     breaks::{Breaks, DebugState, Go},
     clock::Clock,
     endpoint::Sink,
+    samples::{Sampler, Samples},
 };
 use devices::Port;
 use sim::{DeviceConfig, DeviceState, VirtualDevice, record::RecordError};
 use std::{
     collections::BTreeSet,
-    sync::{Arc, Mutex, MutexGuard, PoisonError, Weak},
+    sync::{
+        Arc, Mutex, MutexGuard, PoisonError, Weak,
+        atomic::{AtomicBool, Ordering},
+    },
     time::{Duration, Instant},
 };
 
@@ -49,13 +53,13 @@ pub(crate) async fn wait(pause: Duration) {
 pub(crate) struct Unit {
     /// Its name, unique on the bench.
     pub name: String,
-    /// Its model's name.
-    pub model: &'static str,
     speed: f64,
     live: Mutex<Live>,
     alarms: Arc<Alarms>,
     /// Its number among those of its worker.
     number: usize,
+    /// It was taken off its bus.
+    gone: AtomicBool,
 }
 
 struct Live {
@@ -65,6 +69,8 @@ struct Live {
     alarm: Option<Instant>,
     /// Somebody debugs.
     breaks: Option<Breaks>,
+    /// Somebody wants a chart.
+    sampler: Option<Sampler>,
     speakers: Vec<(Port, Weak<dyn Sink>)>,
 }
 
@@ -82,11 +88,18 @@ impl Unit {
         alarms.set(now, number);
         Self {
             name: config.name.clone(),
-            model: config.model.name,
             speed,
-            live: Mutex::new(Live { device, clock, alarm: Some(now), breaks: None, speakers: Vec::new() }),
+            live: Mutex::new(Live {
+                device,
+                clock,
+                alarm: Some(now),
+                breaks: None,
+                sampler: None,
+                speakers: Vec::new(),
+            }),
             alarms,
             number,
+            gone: AtomicBool::new(false),
         }
     }
 
@@ -97,6 +110,16 @@ impl Unit {
         live.advance(now);
         live.drain(Some);
         Turn { unit: self, live, now }
+    }
+
+    /// Takes it off the endpoints that it shares with others.
+    pub fn take_away(&self) {
+        self.gone.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it hangs on its endpoints no longer.
+    pub fn is_gone(&self) -> bool {
+        self.gone.load(Ordering::Relaxed)
     }
 
     /// A client leaves. What it had begun to send is forgotten, unless others have spoken since.
@@ -132,6 +155,18 @@ impl Unit {
     /// What a debugger sees.
     pub fn debug_state(&self) -> DebugState {
         self.turn().live.breaks.as_ref().map(Breaks::state).unwrap_or_default()
+    }
+
+    /// Begins to take samples, or ends it.
+    pub fn sample(&self, on: bool) {
+        let mut turn = self.turn();
+        let sampler = on.then(|| Sampler::new(&turn.live.device, self.speed));
+        turn.live.sampler = sampler;
+    }
+
+    /// The samples until now that nobody has taken yet.
+    pub fn samples(&self) -> Samples {
+        self.turn().live.sampler.as_mut().map(Sampler::drain).unwrap_or_default()
     }
 
     /// The state of the device now.
@@ -209,16 +244,26 @@ impl Drop for Turn<'_> {
 impl Live {
     /// Comes to the present time, or to a line that is held.
     fn advance(&mut self, now: Instant) {
-        let Self { device, clock, breaks, .. } = self;
-        let Some(debugged) = breaks else {
-            return device.advance(clock.due(now, device.now(), device.wake()));
-        };
-        if !debugged.holds(device) {
-            debugged.advance(device, clock.due(now, device.now(), device.wake()));
+        let Self { device, clock, breaks, sampler, .. } = self;
+        let mut held = breaks.as_mut().is_some_and(|breaks| breaks.holds(device));
+        if !held {
+            let due = clock.due(now, device.now(), device.wake());
+            loop {
+                let stop = sampler.as_ref().map_or(due, |sampler| sampler.next().min(due));
+                match breaks {
+                    Some(breaks) => breaks.advance(device, stop),
+                    None => device.advance(stop),
+                }
+                held = breaks.as_mut().is_some_and(|breaks| breaks.holds(device));
+                match sampler.as_mut().filter(|sampler| !held && sampler.next() <= device.now()) {
+                    Some(sampler) => sampler.take(device),
+                    None => break,
+                }
+            }
         }
-        if debugged.holds(device) {
+        if held {
             clock.stand(now, device.now());
-        } else if debugged.is_idle() {
+        } else if breaks.as_ref().is_some_and(Breaks::is_idle) {
             device.release_lines();
             *breaks = None;
         }

@@ -16,23 +16,27 @@ fn devices_and_their_state() {
     let endpoint = &server.ready()[0].1;
     let (status, list) = call(address, "GET", "/api/devices", "");
     assert_eq!(status, 200);
-    let expected = json!([
-        { "name": "a", "model": "parrot", "endpoints": [endpoint] },
-        { "name": "b", "model": "parrot", "endpoints": [] },
-    ]);
+    let entry = |name: &str, endpoints: Value| {
+        json!({
+            "name": name, "model": "parrot", "title": "says back what it hears", "kind": "virtual",
+            "endpoints": endpoints, "link": { "state": "up" }, "removable": false,
+        })
+    };
+    let expected = json!([entry("a", json!([endpoint])), entry("b", json!([]))]);
     assert_eq!(list, expected);
 
     let (status, mut state) = call(address, "GET", "/api/devices/a", "");
     assert_eq!(status, 200);
     let seconds = state.as_object_mut().unwrap().remove("device_seconds").unwrap().as_f64().unwrap();
     assert!(seconds > 0.0 && seconds < PATIENCE.as_secs_f64());
-    let expected = json!({
-        "name": "a", "model": "parrot", "endpoints": [endpoint],
+    let mut expected = entry("a", json!([endpoint]));
+    let own = json!({
         "axes": { "A": {
             "position": 0, "encoder": -4, "speed": 1.5, "target": 12, "status": 5, "steps": 9
         } },
         "programs": [{ "state": "running", "counter": 3, "instructions": 44 }],
     });
+    expected.as_object_mut().unwrap().extend(own.as_object().unwrap().clone());
     assert_eq!(state, expected);
     server.stop().unwrap();
 }
@@ -239,7 +243,7 @@ fn a_scenario_begins_with_the_server() {
     let devices = vec![device("a", &[]), device("b", &[])];
     let text = "[[fault]]\ndevice = 'b'\nkind = 'stuck_switch'\npin = 'IN'\nvalue = true\n";
     let scenario = sim::Scenario::parse(text, "test", &devices, &sim::fault::scenario::no_source).unwrap();
-    let http = Some(server::HttpSettings::new("127.0.0.1:0", server::Token::chosen(TOKEN).unwrap()));
+    let http = Some(("127.0.0.1:0".into(), server::Token::chosen(TOKEN).unwrap()));
     let server =
         server::Server::start(server::Settings { http, scenario, ..common::settings(devices) }).unwrap();
     let address = server.url().unwrap().split(['/', '?']).nth(2).unwrap().parse().unwrap();

@@ -2,7 +2,7 @@
 
 use super::pins::{MAX_MV, PINS};
 use super::table::{AXES, COMMANDS, Id};
-use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, ascii};
+use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, VARIABLES, ascii};
 use ::ascript::dialect::COMMANDER;
 use BitKind::{Error, State, Switch};
 
@@ -141,7 +141,7 @@ const TOPICS: &[Topic] = &[
     ("2.6.1", "Positions"),
     ("2.6.2", "Status"),
     ("2.7", "Programs"),
-    ("2.7.6", "Variables"),
+    ("2.7.6", VARIABLES),
     ("3.2", "Communication"),
     ("3.3", "Communication"),
 ];

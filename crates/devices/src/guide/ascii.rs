@@ -138,6 +138,7 @@ fn setting<I>(
         readable: value.can_ask() && is_read_by(table, axes, &id, command),
         writable: value.can_set(),
         stored: matches!(value, Value::Kept { stored: true, .. }),
+        stores_itself: false,
         is_text: is_list || matches!(value, Value::Text { .. }),
         is_touchy: false,
         id,

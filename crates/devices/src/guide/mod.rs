@@ -65,6 +65,9 @@ pub struct Units {
     pub encoder: &'static str,
 }
 
+/// The group of the variables of programs.
+pub const VARIABLES: &str = "Variables";
+
 /// What a status bit says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum BitKind {
@@ -142,6 +145,8 @@ pub struct Setting {
     pub writable: bool,
     /// Whether it can outlive the power.
     pub stored: bool,
+    /// Whether it is stored whenever it is set.
+    pub stores_itself: bool,
     /// Whether it is text.
     pub is_text: bool,
     /// Whether looking at it changes it.

@@ -53,6 +53,7 @@ fn setting(kind: &Kind<'_>, entry: &'static Parameter) -> Setting {
         readable: true,
         writable: access.writable(),
         stored: access.storable() || access.automatic(),
+        stores_itself: access.automatic(),
         is_text: false,
         is_touchy: kind.touchy.contains(&entry.number),
     }
@@ -101,8 +102,8 @@ mod tests {
         check("AP206.0", "APActualLoadValue", "Encoders and errors", false, false);
         check("GP66", "GPSerialAddress", "Interfaces", true, true);
         check("GP0.3", "GPTimer0Period", "Interrupts", true, false);
-        check("GP55.2", "V55", "User variables", true, true);
-        check("GP255.2", "V255", "User variables", true, false);
+        check("GP55.2", "V55", "Variables", true, true);
+        check("GP255.2", "V255", "Variables", true, false);
         let touchy: Vec<_> = all.iter().filter(|it| it.is_touchy).map(|it| it.id.as_str()).collect();
         assert_eq!(touchy, ["AP207.0", "GP133"]);
     }

@@ -5,7 +5,7 @@ extern crate alloc;
 use super::pins::PINS;
 use super::{ap, global_parameters as gp};
 use crate::guide::tmcl::{self, Kind, Ranges};
-use crate::guide::{BitKind, Guide, HomingMode, Setting, StatusBit, Units};
+use crate::guide::{self, BitKind, Guide, HomingMode, Setting, StatusBit, Units};
 use ::tmcl::isa::{PROGRAM_LENGTH, VARIABLES};
 use BitKind::{Error, State, Switch};
 use alloc::{format, vec::Vec};
@@ -62,7 +62,7 @@ const fn mode(
 }
 
 /// The end switch that counts is at the end of the direction.
-const EITHER: &[Direction] = crate::guide::BOTH;
+const EITHER: &[Direction] = guide::BOTH;
 const LEFT: &[Direction] = &[Negative];
 const RIGHT: &[Direction] = &[Positive];
 
@@ -169,7 +169,7 @@ fn settings() -> Vec<Setting> {
 fn variable(number: usize) -> Setting {
     Setting {
         id: format!("GP{number}.2"),
-        group: "User variables",
+        group: guide::VARIABLES,
         axis: None,
         name: format!("User variable {number}"),
         symbol: format!("V{number}"),
@@ -182,6 +182,7 @@ fn variable(number: usize) -> Setting {
         readable: true,
         writable: true,
         stored: number < gp::STORABLE_VARIABLES.into(),
+        stores_itself: false,
         is_text: false,
         is_touchy: false,
     }

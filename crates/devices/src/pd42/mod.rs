@@ -268,6 +268,10 @@ impl<F: Flash> Controller for Pd42<F> {
         pins::PINS
     }
 
+    fn number(&self) -> u8 {
+        self.memory.module.get(gp::SERIAL_ADDRESS) as u8
+    }
+
     fn watches(&self, pin: usize) -> bool {
         match pins::PINS.get(pin).map(|pin| pin.kind) {
             Some(PinKind::Index(_)) => self.encoders.watches_null(),

@@ -2,7 +2,7 @@
 
 use super::pins::{MAX_MV, PINS};
 use super::table::{AXES, COMMANDS, Id};
-use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, ascii};
+use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, VARIABLES, ascii};
 use ::ascript::dialect::PERFORMAX_2;
 use BitKind::{Error, State, Switch};
 
@@ -110,7 +110,7 @@ const TOPICS: &[Topic] = &[
     ("7.17", "StepNLoop"),
     ("7.18", "Communication"),
     ("7.19", "Programs"),
-    ("7.19.6", "Variables"),
+    ("7.19.6", VARIABLES),
     ("7.8", "Status"),
     ("9.1", "Status"),
 ];

@@ -196,7 +196,7 @@ impl Catalog {
             speed_windows: guide.speed_windows.iter().map(Into::into).collect(),
             homing: guide.homing.iter().map(Into::into).collect(),
             status_bits: guide.status_bits.iter().map(Into::into).collect(),
-            actions: &[],
+            actions: model.name.parse().map(host::Model::actions).unwrap_or_default(),
             parameters: (guide.settings)().into_iter().map(Into::into).collect(),
             commands: (guide.commands)().into_iter().map(Into::into).collect(),
             pins: guide.pins.iter().map(|pin| PinInfo::of(pin, guide)).collect(),

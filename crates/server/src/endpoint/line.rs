@@ -55,7 +55,8 @@ impl Client {
         }
         // Of what comes in one go on a serial bus every device hears each byte before the next one, so that
         // their replies come in the order of the questions.
-        let mut turns: Vec<_> = line.stations.iter().map(|(unit, port)| (unit.turn(), *port)).collect();
+        let present = line.stations.iter().filter(|(unit, _)| !unit.is_gone());
+        let mut turns: Vec<_> = present.map(|(unit, port)| (unit.turn(), *port)).collect();
         let is_serial = line.stations.iter().any(|(_, port)| *port == Port::Rs485);
         for part in bytes.chunks(if is_serial { 1 } else { bytes.len().max(1) }) {
             for (turn, port) in &mut turns {

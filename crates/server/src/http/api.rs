@@ -1,6 +1,6 @@
 //! The routes, and the document that describes them, which comes of the same list.
 
-use super::{Failure, Problem, Site, calls, debug, lease, lsp};
+use super::{Failure, Problem, Site, calls, debug, lease};
 use crate::desk;
 use axum::{
     Extension, Router,
@@ -23,12 +23,14 @@ use utoipa::{
 use utoipa_axum::{router::OpenApiRouter, routes};
 
 /// What stands in paths.
-const PLACES: [(&str, &str); 5] = [
+const PLACES: [(&str, &str); 7] = [
     ("model", "Name of a model"),
     ("device", "Name of a device"),
     ("axis", "Name of an axis: `0`, or `X`, `Y`, `Z`, `U`"),
     ("pin", "Name of a pin as in the manuals"),
     ("id", "Number of a fault"),
+    ("parameter", "Id of a parameter, as in the catalog of the model"),
+    ("program", "Number of a program, from 0"),
 ];
 
 /// The name of the way in which the token is shown.
@@ -63,16 +65,13 @@ fn free() -> OpenApiRouter<Arc<Site>> {
     OpenApiRouter::with_openapi(Head::openapi())
         .routes(routes!(openapi))
         .routes(routes!(lease::show, lease::take, lease::renew, lease::drop))
-        .routes(routes!(lsp::lsp))
         .merge(desk::free())
 }
 
 /// What changes something, which is for the holder of control while there is one; and looking at the same things.
 fn led() -> OpenApiRouter<Arc<Site>> {
     use calls::{axes, devices, faults, pins, power};
-    let mut led = OpenApiRouter::new()
-        .routes(routes!(devices::list))
-        .routes(routes!(devices::show))
+    let mut led = desk::led()
         .routes(routes!(devices::stream))
         .routes(routes!(pins::read, pins::drive, pins::release))
         .routes(routes!(axes::set_load))

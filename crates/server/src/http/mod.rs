@@ -2,34 +2,27 @@
 
 mod api;
 mod calls;
-mod connection;
 mod debug;
 mod guard;
 mod lease;
-mod limits;
-mod lsp;
 mod page;
 mod request;
 mod serve;
-mod socket;
 mod stream;
-mod tls;
 mod view;
 
 pub use guard::Token;
-pub(crate) use request::{Answer, Place, Problem, at};
+pub(crate) use request::{Answer, Body, Place, Problem, Shared, at, json, unprocessable};
 pub(crate) use serve::Http;
-pub use serve::HttpSettings;
-pub use tls::Tls;
+pub(crate) use view::View;
 
-use crate::unit::Unit;
+use crate::desk::Desk;
 use axum::{
     Json,
     http::{StatusCode, header},
     response::{IntoResponse, Response},
 };
 use lease::Control;
-use limits::Limits;
 use std::{net::SocketAddr, sync::Arc};
 
 /// What the calls need.
@@ -37,9 +30,8 @@ pub(crate) struct Site {
     pub address: SocketAddr,
     pub token: Token,
     pub control: Control,
-    pub limits: Arc<Limits>,
-    /// The devices, with the endpoints that each can be reached by.
-    pub units: Vec<(Arc<Unit>, Vec<String>)>,
+    /// The controllers.
+    pub desk: Arc<Desk>,
 }
 
 /// A call that did not do what it should: a status and one sentence for people.

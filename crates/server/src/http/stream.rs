@@ -1,6 +1,7 @@
 //! The WebSocket that sends a device's state thirty times a second.
 
-use super::{Site, view::View};
+use super::view::View;
+use crate::desk::Seat;
 use axum::extract::ws::{Message, WebSocket};
 use std::{sync::Arc, time::Duration};
 use tokio::time::{MissedTickBehavior, interval};
@@ -11,16 +12,15 @@ const PERIOD: Duration = Duration::from_nanos(1_000_000_000 / 30);
 /// A client that takes no state for this long is dropped.
 const SEND_TIMEOUT: Duration = Duration::from_secs(5);
 
-/// Sends the state of the device with this number until the client leaves.
-pub(super) async fn stream(mut socket: WebSocket, site: Arc<Site>, number: usize) {
-    let (unit, endpoints) = &site.units[number];
+/// Sends the state of a device until the client leaves, or the device.
+pub(super) async fn stream(mut socket: WebSocket, seat: Arc<Seat>) {
     let mut ticks = interval(PERIOD);
     // A client that is slow gets fewer states, not old ones.
     ticks.set_missed_tick_behavior(MissedTickBehavior::Skip);
-    loop {
+    while !seat.hub.is_closed() {
         tokio::select! {
             _ = ticks.tick() => {
-                let text = serde_json::to_string(&View::of(unit, endpoints)).expect("a state becomes JSON");
+                let text = serde_json::to_string(&View::of(&seat)).expect("a state becomes JSON");
                 let sent = tokio::time::timeout(SEND_TIMEOUT, socket.send(Message::text(text))).await;
                 if !matches!(sent, Ok(Ok(()))) {
                     return;

@@ -1,36 +1,23 @@
 //! A device as JSON.
 
-use crate::unit::Unit;
+use crate::desk::{Seat, Summary};
 use serde::Serialize;
 use sim::DeviceState;
 use utoipa::ToSchema;
 
-/// An entry of the list of devices.
+/// Everything about a controller that can be seen from outside.
 #[derive(Serialize, ToSchema)]
-pub(super) struct Summary<'a> {
-    name: &'a str,
-    model: &'a str,
-    endpoints: &'a [String],
-}
-
-impl<'a> Summary<'a> {
-    pub fn of(unit: &'a Unit, endpoints: &'a [String]) -> Self {
-        Self { name: &unit.name, model: unit.model, endpoints }
-    }
-}
-
-/// Everything about a device that can be seen from outside.
-#[derive(Serialize, ToSchema)]
-pub(super) struct View<'a> {
+pub(crate) struct View {
     #[serde(flatten)]
-    summary: Summary<'a>,
+    summary: Summary,
+    /// Of a virtual one.
     #[serde(flatten)]
-    state: DeviceState,
+    state: Option<DeviceState>,
 }
 
-impl<'a> View<'a> {
-    /// The device now.
-    pub fn of(unit: &'a Unit, endpoints: &'a [String]) -> Self {
-        Self { summary: Summary::of(unit, endpoints), state: unit.state() }
+impl View {
+    /// The controller now.
+    pub fn of(seat: &Seat) -> Self {
+        Self { summary: seat.summary(), state: seat.device().map(|unit| unit.state()) }
     }
 }

@@ -161,6 +161,11 @@ impl VirtualDevice {
         Some(Name::new(self.config.model.hid_product?, self.controller.number()))
     }
 
+    /// The address on RS-485 that it listens to.
+    pub fn bus_address(&self) -> u8 {
+        self.controller.number()
+    }
+
     /// The device time at which it was switched on last.
     pub fn switched_on_at(&self) -> Ticks {
         self.world.origin
@@ -333,6 +338,14 @@ impl VirtualDevice {
         self.world.windows[axis] = None;
         self.settle();
         Ok(())
+    }
+
+    /// The load of an axis, without what faults add.
+    ///
+    /// # Errors
+    /// [`AxisError::Unknown`].
+    pub fn load(&self, axis: &str) -> Result<f64, AxisError> {
+        Ok(self.loads[self.axis_index(axis)?])
     }
 
     /// Turns the motor of an axis from outside, in the unit of [`AxisConfig`](crate::AxisConfig).

@@ -1,36 +1,24 @@
-//! Which devices there are, and their state.
+//! The state of virtual devices.
 
 use super::{
-    super::{
-        socket::{SHORT_MESSAGE, Upgrade},
-        stream::stream as states,
-        view::{Summary, View},
-    },
+    super::{Failure, stream::stream as states},
     Answer, Place, Shared, at,
 };
 use axum::{
-    Json,
-    extract::State,
-    response::{IntoResponse, Response},
+    extract::{State, WebSocketUpgrade, ws::rejection::WebSocketUpgradeRejection},
+    response::Response,
 };
-
-/// The devices
-#[utoipa::path(get, path = "/api/devices", tag = "devices", responses((status = 200, body = [Summary])))]
-pub async fn list(State(site): Shared) -> Response {
-    let list: Vec<_> = site.units.iter().map(|(unit, endpoints)| Summary::of(unit, endpoints)).collect();
-    Json(list).into_response()
-}
-
-/// The state of a virtual device
-#[utoipa::path(get, path = "/api/devices/{device}", tag = "devices", responses((status = 200, body = View)))]
-pub async fn show(State(site): Shared, place: Place<String>) -> Answer<Response> {
-    let (unit, endpoints) = &site.units[site.find(&at(place)?)?];
-    Ok(Json(View::of(unit, endpoints)).into_response())
-}
 
 /// A WebSocket with the state of a virtual device, thirty times a second
 #[utoipa::path(get, path = "/api/devices/{device}/stream", tag = "devices", responses((status = 101)))]
-pub async fn stream(State(site): Shared, place: Place<String>, upgrade: Upgrade) -> Answer<Response> {
-    let number = site.find(&at(place)?)?;
-    Ok(upgrade.run(SHORT_MESSAGE, move |socket| states(socket, site, number)))
+pub async fn stream(
+    State(site): Shared,
+    place: Place<String>,
+    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
+) -> Answer<Response> {
+    let seat = site.desk.find(&at(place)?)?;
+    // A real controller has no state but what it says, which is not said thirty times a second.
+    seat.unit()?;
+    let upgrade = upgrade.map_err(|why| Failure::new(why.status(), "this is a WebSocket"))?;
+    Ok(upgrade.on_upgrade(move |socket| states(socket, seat)))
 }

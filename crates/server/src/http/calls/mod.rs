@@ -14,16 +14,12 @@ use crate::unit::Unit;
 use axum::http::StatusCode;
 use serde_json::Value;
 use sim::{FaultError, PinError, device::AxisError};
+use std::sync::Arc;
 
 impl Site {
-    fn find(&self, name: &str) -> Answer<usize> {
-        self.units.iter().position(|(unit, _)| unit.name == name).ok_or_else(|| {
-            Failure::unknown("device", name, self.units.iter().map(|(unit, _)| unit.name.as_str()))
-        })
-    }
-
-    pub(super) fn unit(&self, name: &str) -> Answer<&Unit> {
-        Ok(&self.units[self.find(name)?].0)
+    /// The device of this name.
+    pub fn unit(&self, name: &str) -> Answer<Arc<Unit>> {
+        Ok(Arc::clone(self.desk.find(name)?.unit()?))
     }
 }
 

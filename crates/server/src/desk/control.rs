@@ -1,0 +1,62 @@
+//! What a controller is told to do.
+
+use crate::http::{Answer, Body, Place, Shared, at, json};
+use axum::{Json, extract::State, http::StatusCode};
+use host::{Action, Status};
+use serde::Deserialize;
+use ts_rs::TS;
+use utoipa::ToSchema;
+
+/// A line that somebody typed.
+#[derive(Deserialize, TS, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TypedLine {
+    /// It, without its end.
+    line: String,
+}
+
+/// What a controller is doing, as it says over its wire
+#[utoipa::path(get, path = "/api/devices/{device}/status", tag = "control", responses((status = 200, body = Status)))]
+pub(crate) async fn status(State(site): Shared, place: Place<String>) -> Answer<Json<Status>> {
+    let seat = site.desk.find(&at(place)?)?;
+    Ok(Json(seat.ask(async |it| it.status().await).await?))
+}
+
+/// Have a controller do something
+#[utoipa::path(
+    post, path = "/api/devices/{device}/act", tag = "control",
+    request_body = Action, responses((status = 204))
+)]
+pub(crate) async fn act(State(site): Shared, place: Place<String>, body: Body) -> Answer<StatusCode> {
+    let seat = site.desk.find(&at(place)?)?;
+    let action: Action = json(body)?;
+    seat.ask(async |it| it.act(&action).await).await?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// Stop all axes and programs
+///
+/// Whoever has control: everybody may.
+#[utoipa::path(post, path = "/api/devices/{device}/stop", tag = "control", responses((status = 204)))]
+pub(crate) async fn stop(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
+    let seat = site.desk.find(&at(place)?)?;
+    seat.ask(async |it| it.stop_all().await).await?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+/// Send a line to a controller
+///
+/// In the language of its wire. A refusal is an answer too.
+#[utoipa::path(
+    post, path = "/api/devices/{device}/terminal", tag = "control",
+    request_body = TypedLine, responses((status = 200, body = host::Answer))
+)]
+pub(crate) async fn terminal(
+    State(site): Shared,
+    place: Place<String>,
+    body: Body,
+) -> Answer<Json<host::Answer>> {
+    let seat = site.desk.find(&at(place)?)?;
+    let TypedLine { line } = json(body)?;
+    Ok(Json(seat.ask(async |it| it.terminal(&line).await).await?))
+}
