@@ -46,8 +46,9 @@ export function setBreakpoints(view: EditorView, lines: readonly number[]): void
   view.dispatch({ effects: setLines.of([...new Set(lines)].sort((a, b) => a - b)) });
 }
 
-/** The gutter. `toggle` is asked to set or take the breakpoint of a line. */
-export function breakpointGutter(toggle: (line: number) => void): Extension {
+/** The gutter. `toggle` is asked to set or take the breakpoint of a line; without it there is nothing to see. */
+export function breakpointGutter(toggle: ((line: number) => void) | null): Extension {
+  if (toggle === null) return dots;
   return [
     dots,
     gutter({

@@ -30,8 +30,8 @@ export interface Hooks {
   socket(): WebSocket;
   /** The text was changed. */
   changed(): void;
-  /** Somebody wants to set or take the breakpoint of a line. */
-  toggle(line: number): void;
+  /** Somebody wants to set or take the breakpoint of a line; null where there are no breakpoints. */
+  toggle: ((line: number) => void) | null;
   /** Whether the language server is there. */
   server(up: boolean): void;
 }

@@ -148,7 +148,7 @@ class Program extends Tab {
     this.#editor = new Editor(this.#place.value!, this.catalog, draft.text, {
       socket: () => this.api.socket("/api/lsp", { model: this.device.model }),
       changed: () => this.#changed(),
-      toggle: (line) => this.#toggle(line),
+      toggle: this.#virtual ? (line) => this.#toggle(line) : null,
       server: (up) => (this.server = up),
     });
     this.#compare();
@@ -366,7 +366,7 @@ class Program extends Tab {
   }
 
   #toggle(line: number): void {
-    if (this.#editor === null || !this.#virtual) return;
+    if (this.#editor === null) return;
     const lines = this.#lines;
     const at = lines === null ? line : breakable(lines, line);
     if (at === null) return;
