@@ -91,6 +91,15 @@ pub struct ServeArgs {
     /// No HTTP
     #[arg(long, conflicts_with = "http")]
     pub no_http: bool,
+    /// Certificate for HTTPS (PEM), which other machines may use
+    #[arg(long, value_name = "FILE", requires = "tls_key", conflicts_with = "no_http")]
+    pub tls_cert: Option<PathBuf>,
+    /// Its private key (PEM)
+    #[arg(long, value_name = "FILE", requires = "tls_cert")]
+    pub tls_key: Option<PathBuf>,
+    /// Let other machines connect without TLS: who listens in learns the token
+    #[arg(long, conflicts_with_all = ["no_http", "tls_cert"])]
+    pub insecure: bool,
     /// Seconds of device time a second
     #[arg(long, value_name = "N", default_value = "1", value_parser = speed, allow_negative_numbers = true)]
     pub speed: f64,

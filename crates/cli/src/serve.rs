@@ -4,7 +4,7 @@ use crate::{
     Failure, Outcome,
     args::{DeviceArg, ServeArgs},
 };
-use server::{Server, Settings, Token};
+use server::{HttpSettings, Server, Settings, Tls, Token};
 use sim::{Bench, DeviceConfig, Endpoint, Scenario, fault::scenario::no_source};
 use std::{env, io::Write};
 
@@ -16,7 +16,12 @@ const TOKEN_VARIABLE: &str = "PULSETRAIN_TOKEN";
 
 /// Serves until a signal asks to end.
 pub fn serve(args: ServeArgs) -> Outcome {
-    let http = if args.no_http { None } else { Some((args.http, token()?)) };
+    let tls = args.tls_cert.zip(args.tls_key).map(|(certificate, key)| Tls { certificate, key });
+    let http = if args.no_http {
+        None
+    } else {
+        Some(HttpSettings { address: args.http, token: token()?, tls, is_insecure: args.insecure })
+    };
     let mut devices = match &args.bench {
         Some(file) => Bench::read(file)?.devices,
         None => Vec::new(),

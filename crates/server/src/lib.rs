@@ -26,7 +26,7 @@ mod unit;
 mod worker;
 
 pub use clock::SPEEDS;
-pub use http::Token;
+pub use http::{HttpSettings, Tls, Token};
 pub use signals::Signals;
 
 use desk::{Desk, Seat};
@@ -49,8 +49,8 @@ use unit::Unit;
 pub struct Settings {
     /// The devices, each with its endpoints. The names differ.
     pub devices: Vec<DeviceConfig>,
-    /// Where HTTP listens, as `ADDR:PORT`, and the token it asks for; `None` for no HTTP.
-    pub http: Option<(String, Token)>,
+    /// The HTTP interface; `None` for none.
+    pub http: Option<HttpSettings>,
     /// Seconds of device time a second of wall clock, in [`SPEEDS`].
     pub speed: f64,
     /// Where the flash images live; without it they are lost at the end.
@@ -74,6 +74,17 @@ pub enum Error {
         endpoint: String,
         /// What the system says.
         source: io::Error,
+    },
+    /// HTTP would listen where others can connect, without TLS.
+    #[error("http {0}: other machines could listen in there; say --tls-cert and --tls-key, or --insecure")]
+    Exposed(String),
+    /// A certificate or its key cannot be used.
+    #[error("{}: {problem}", path.display())]
+    Certificate {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
     },
     /// A device cannot be at one of its endpoints.
     #[error("{endpoint}: {source}")]
@@ -156,8 +167,7 @@ impl Server {
         raise_file_limit();
         // Everything that can fail comes before the first thread.
         let mut group = Group::open(&settings.devices, settings.workers)?;
-        let http = settings.http.map(|(address, token)| Ok::<_, Error>((Http::bind(&address)?, token)));
-        let http = http.transpose()?;
+        let http = settings.http.map(Http::bind).transpose()?;
         let images = Images::open(settings.state)?;
         let flashes = settings.devices.iter().map(|config| images.load(config));
         let flashes = flashes.collect::<Result<Vec<_>, _>>()?;
@@ -189,7 +199,7 @@ impl Server {
             ready.extend(endpoints.iter().map(|endpoint| (unit.name.clone(), endpoint.clone())));
             seats.push(Seat::of_unit(config.model, Arc::clone(unit), endpoints, &ports, None));
         }
-        let url = http.as_ref().map(|(http, token)| http.url(token));
+        let url = http.as_ref().map(Http::url);
         let desk = Arc::new(Desk::new(seats, settings.speed, images.clone()));
 
         let stop = Stop::new()?;
@@ -198,12 +208,11 @@ impl Server {
         if let Some(keeper) = server.images.keeper(server.stop.watch()) {
             server.threads.push(group::spawn("images", keeper)?);
         }
-        if let Some((http, token)) = http {
+        if let Some(http) = http {
             let desk = Arc::clone(&server.desk);
             server.runtime.spawn(async move {
-                if let Err(error) = http.serve(token, desk).await {
-                    eprintln!("warning: HTTP ends: {error}");
-                }
+                let Err(error) = http.serve(desk).await;
+                eprintln!("warning: HTTP ends: {error}");
             });
         }
         Ok(server)

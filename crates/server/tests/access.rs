@@ -2,12 +2,22 @@
 
 mod common;
 
-use common::{TOKEN, call, device, eventually, exchange, raw, serve_http};
+use common::{PATIENCE, TOKEN, call, device, eventually, exchange, raw, serve_http};
 use serde_json::{Value, json};
+use server::{HttpSettings, Server, Settings, Tls, Token};
 use std::{
+    io::{Read, Write},
     net::{SocketAddr, TcpStream},
+    path::Path,
+    sync::Arc,
     time::Duration,
 };
+use tokio_rustls::rustls::{
+    ClientConfig, ClientConnection, RootCertStore, StreamOwned,
+    crypto::ring,
+    pki_types::{CertificateDer, pem::PemObject},
+};
+use tungstenite::{Message, WebSocket};
 
 #[test]
 fn every_request_needs_the_token_and_a_host_of_ours() {
@@ -154,4 +164,164 @@ fn who_has_control_is_the_only_one_to_change_anything() {
         assert_eq!(take("none", body).0, 422, "{body}");
     }
     server.stop().unwrap();
+}
+
+/// A WebSocket of the server.
+fn socket(address: SocketAddr, path: &str) -> Option<WebSocket<TcpStream>> {
+    let stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    Some(tungstenite::client(format!("ws://{address}{path}"), stream).ok()?.0)
+}
+
+#[test]
+fn control_lasts_while_a_socket_is_open_that_shows_it() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let (_, granted) = call(address, "POST", "/api/lease", r#"{ "name": "first" }"#);
+    let lease = granted["lease"].as_str().unwrap();
+    let seconds = || call(address, "GET", "/api/lease", "").1["seconds"].as_f64().unwrap();
+    std::thread::sleep(Duration::from_millis(300));
+    let before = seconds();
+    assert!(before < 9.8, "{before}");
+    let open = socket(address, &format!("/api/devices/a/stream?token={TOKEN}&lease={lease}")).unwrap();
+    eventually("it lasts anew", || seconds() > before);
+    let _other = socket(address, &format!("/api/devices/a/stream?token={TOKEN}&lease=other")).unwrap();
+    drop(open);
+    server.stop().unwrap();
+}
+
+#[test]
+fn the_language_server_is_at_the_other_end_of_a_socket() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    assert!(socket(address, "/api/lsp").is_none(), "without the token");
+    assert!(socket(address, &format!("/api/lsp?token={TOKEN}&model=none")).is_none());
+    let mut socket = socket(address, &format!("/api/lsp?token={TOKEN}&model=pmx-2ed")).unwrap();
+    let say = |socket: &mut WebSocket<_>, message: Value| {
+        socket
+            .send(Message::text(
+                json!({ "jsonrpc": "2.0" })
+                    .as_object()
+                    .map_or(Value::Null, |head| {
+                        let mut all = head.clone();
+                        all.extend(message.as_object().unwrap().clone());
+                        Value::Object(all)
+                    })
+                    .to_string(),
+            ))
+            .unwrap();
+    };
+    let next = |socket: &mut WebSocket<_>| -> Value {
+        serde_json::from_str(&socket.read().unwrap().into_text().unwrap()).unwrap()
+    };
+    say(&mut socket, json!({ "id": 1, "method": "initialize", "params": { "capabilities": {} } }));
+    assert_eq!(next(&mut socket)["id"], 1);
+    say(&mut socket, json!({ "method": "initialized", "params": {} }));
+    let document = json!({ "uri": "pulsetrain:/a.prg", "languageId": "a-script", "version": 1, "text": "NONSENSE\nEND\n" });
+    say(&mut socket, json!({ "method": "textDocument/didOpen", "params": { "textDocument": document } }));
+    let published = next(&mut socket);
+    assert_eq!(published["method"], "textDocument/publishDiagnostics");
+    assert_eq!(published["params"]["diagnostics"][0]["range"]["start"]["line"], 0);
+    socket.send(Message::text("x".repeat((4 << 20) + 1))).unwrap_or_default();
+    assert!(socket.read().is_err(), "nothing is longer than 4 MiB");
+    server.stop().unwrap();
+}
+
+#[test]
+fn sockets_of_a_client_are_limited() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let path = format!("/api/lsp?token={TOKEN}");
+    let mut open: Vec<_> = (0..64).map(|_| socket(address, &path).unwrap()).collect();
+    assert!(socket(address, &path).is_none());
+    assert_eq!(call(address, "GET", "/api/devices", "").0, 200, "requests are none");
+    open.pop().unwrap().close(None).unwrap();
+    eventually("there is room again", || socket(address, &path).is_some());
+    server.stop().unwrap();
+}
+
+#[test]
+fn heads_and_bodies_are_limited() {
+    let (server, address) = serve_http(vec![device("a", &[])]);
+    let ask = |headers: &str| {
+        raw(address, &format!("GET / HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n{headers}\r\n")).0
+    };
+    assert_eq!(ask(&format!("X: {}\r\n", "x".repeat(8000))), 200);
+    assert_eq!(ask(&format!("X: {}\r\n", "x".repeat(20_000))), 431);
+    assert_eq!(ask(&"X: x\r\n".repeat(50)), 200);
+    assert_eq!(ask(&"X: x\r\n".repeat(100)), 431);
+    let (status, _) = call(address, "PUT", "/api/devices/a/pins/IN", &format!("{}true", " ".repeat(4000)));
+    assert_eq!(status, 204);
+    let (status, _) = call(address, "PUT", "/api/devices/a/pins/IN", &format!("{}true", " ".repeat(5000)));
+    assert_eq!(status, 413);
+    server.stop().unwrap();
+}
+
+fn with_http(http: HttpSettings) -> Result<Server, server::Error> {
+    Server::start(Settings { http: Some(http), ..common::settings(vec![device("a", &[])]) })
+}
+
+fn token() -> Token {
+    Token::chosen(TOKEN).unwrap()
+}
+
+#[test]
+fn other_machines_need_tls_or_the_users_word() {
+    let address = "0.0.0.0:0";
+    let error = with_http(HttpSettings::new(address, token())).err().unwrap().to_string();
+    assert!(error.starts_with("http 0.0.0.0:0: ") && error.contains("--insecure"), "{error}");
+    let server =
+        with_http(HttpSettings { is_insecure: true, ..HttpSettings::new(address, token()) }).unwrap();
+    assert!(server.url().unwrap().starts_with("http://0.0.0.0:"));
+    server.stop().unwrap();
+}
+
+fn tls() -> Tls {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tls");
+    Tls { certificate: folder.join("certificate.pem"), key: folder.join("key.pem") }
+}
+
+#[test]
+fn https() {
+    let settings = HttpSettings { tls: Some(tls()), ..HttpSettings::new("0.0.0.0:0", token()) };
+    let server = with_http(settings).unwrap();
+    let port: u16 = server.url().unwrap().split([':', '/']).nth(4).unwrap().parse().unwrap();
+    assert!(server.url().unwrap().starts_with("https://0.0.0.0:"));
+    let address = SocketAddr::from(([127, 0, 0, 1], port));
+
+    let mut roots = RootCertStore::empty();
+    roots.add(CertificateDer::from_pem_file(tls().certificate).unwrap()).unwrap();
+    let config = ClientConfig::builder_with_provider(Arc::new(ring::default_provider()))
+        .with_safe_default_protocol_versions()
+        .unwrap()
+        .with_root_certificates(roots)
+        .with_no_client_auth();
+    let client = ClientConnection::new(Arc::new(config), "localhost".try_into().unwrap()).unwrap();
+    let stream = TcpStream::connect(address).unwrap();
+    stream.set_read_timeout(Some(PATIENCE)).unwrap();
+    let mut stream = StreamOwned::new(client, stream);
+    let request = format!(
+        "GET /api/devices HTTP/1.1\r\nHost: localhost:{port}\r\nAuthorization: Bearer {TOKEN}\r\nConnection: close\r\n\r\n"
+    );
+    stream.write_all(request.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200 "), "{answer}");
+
+    let mut plain = TcpStream::connect(address).unwrap();
+    plain.write_all(request.as_bytes()).unwrap();
+    let mut answer = Vec::new();
+    let _ = plain.read_to_end(&mut answer);
+    assert!(!answer.starts_with(b"HTTP"), "no answer without TLS");
+    server.stop().unwrap();
+}
+
+#[test]
+fn wrong_certificates_are_named() {
+    let check = |tls: Tls, expected: &str| {
+        let settings = HttpSettings { tls: Some(tls), ..HttpSettings::new("127.0.0.1:0", token()) };
+        let error = with_http(settings).err().unwrap().to_string();
+        assert!(error.contains(expected), "{error}");
+    };
+    check(Tls { certificate: "missing.pem".into(), ..tls() }, "missing.pem: ");
+    check(Tls { key: "missing.pem".into(), ..tls() }, "missing.pem: ");
+    check(Tls { certificate: tls().key, ..tls() }, "key.pem: there is no certificate in it");
+    check(Tls { key: tls().certificate, ..tls() }, "certificate.pem: ");
 }

@@ -243,7 +243,7 @@ fn a_scenario_begins_with_the_server() {
     let devices = vec![device("a", &[]), device("b", &[])];
     let text = "[[fault]]\ndevice = 'b'\nkind = 'stuck_switch'\npin = 'IN'\nvalue = true\n";
     let scenario = sim::Scenario::parse(text, "test", &devices, &sim::fault::scenario::no_source).unwrap();
-    let http = Some(("127.0.0.1:0".into(), server::Token::chosen(TOKEN).unwrap()));
+    let http = Some(server::HttpSettings::new("127.0.0.1:0", server::Token::chosen(TOKEN).unwrap()));
     let server =
         server::Server::start(server::Settings { http, scenario, ..common::settings(devices) }).unwrap();
     let address = server.url().unwrap().split(['/', '?']).nth(2).unwrap().parse().unwrap();

@@ -3,13 +3,13 @@
 use super::{hub::Watching, link::LinkState, seat::Seat};
 use crate::{
     breaks::DebugState,
-    http::{Answer, Failure, Place, Shared, at},
+    http::{Answer, Place, SHORT_MESSAGE, Shared, Upgrade, at},
     samples::Samples,
 };
 use axum::{
     extract::{
-        State, WebSocketUpgrade,
-        ws::{Message, WebSocket, rejection::WebSocketUpgradeRejection},
+        State,
+        ws::{Message, WebSocket},
     },
     response::Response,
 };
@@ -71,14 +71,9 @@ pub(crate) enum Live {
 
 /// A WebSocket that says what a controller is doing
 #[utoipa::path(get, path = "/api/devices/{device}/live", tag = "devices", responses((status = 101)))]
-pub(crate) async fn live(
-    State(site): Shared,
-    place: Place<String>,
-    upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
-) -> Answer<Response> {
+pub(crate) async fn live(State(site): Shared, place: Place<String>, upgrade: Upgrade) -> Answer<Response> {
     let seat = site.desk.find(&at(place)?)?;
-    let upgrade = upgrade.map_err(|why| Failure::new(why.status(), "this is a WebSocket"))?;
-    Ok(upgrade.on_upgrade(move |socket| talk(socket, seat)))
+    Ok(upgrade.run(SHORT_MESSAGE, move |socket| talk(socket, seat)))
 }
 
 /// Tells a client until it leaves, or the controller is taken away.

@@ -1,6 +1,6 @@
 //! The routes, and the document that describes them, which comes of the same list.
 
-use super::{Failure, Problem, Site, calls, debug, lease};
+use super::{Failure, Problem, Site, calls, debug, lease, lsp};
 use crate::desk;
 use axum::{
     Extension, Router,
@@ -65,6 +65,7 @@ fn free() -> OpenApiRouter<Arc<Site>> {
     OpenApiRouter::with_openapi(Head::openapi())
         .routes(routes!(openapi))
         .routes(routes!(lease::show, lease::take, lease::renew, lease::drop))
+        .routes(routes!(lsp::lsp))
         .merge(desk::free())
 }
 

@@ -87,7 +87,7 @@ pub(super) async fn token(
 ) -> Result<Response, Failure> {
     let shown = bearer(request.headers()).or_else(|| {
         // A browser's WebSocket cannot set headers.
-        is_websocket(request.headers()).then(|| query_token(request.uri())).flatten()
+        is_websocket(request.headers()).then(|| query(request.uri(), "token")).flatten()
     });
     match shown {
         Some(shown) if site.token.is(shown) => Ok(next.run(request).await),
@@ -113,8 +113,9 @@ fn is_websocket(headers: &HeaderMap) -> bool {
     upgrade.is_some_and(|value| value.eq_ignore_ascii_case("websocket"))
 }
 
-fn query_token(uri: &Uri) -> Option<&str> {
-    uri.query()?.split('&').find_map(|pair| pair.strip_prefix("token="))
+/// A value of the query, as it stands there.
+pub(super) fn query<'a>(uri: &'a Uri, name: &str) -> Option<&'a str> {
+    uri.query()?.split('&').find_map(|pair| pair.strip_prefix(name)?.strip_prefix('='))
 }
 
 /// Whether a host, with or without a port, is this machine. A page of somebody else whose name was made
@@ -204,7 +205,7 @@ mod tests {
         assert_eq!(bearer(&headers), Some("abc"));
         headers.insert(header::AUTHORIZATION, "Basic abc".parse().unwrap());
         assert_eq!(bearer(&headers), None);
-        assert_eq!(query_token(&Uri::from_static("/x?a=1&token=abc")), Some("abc"));
-        assert_eq!(query_token(&Uri::from_static("/x?tokens=abc")), None);
+        assert_eq!(query(&Uri::from_static("/x?a=1&token=abc"), "token"), Some("abc"));
+        assert_eq!(query(&Uri::from_static("/x?tokens=abc"), "token"), None);
     }
 }

@@ -2,18 +2,26 @@
 
 mod api;
 mod calls;
+mod connection;
 mod debug;
 mod guard;
 mod lease;
+mod limits;
+mod lsp;
 mod page;
 mod request;
 mod serve;
+mod socket;
 mod stream;
+mod tls;
 mod view;
 
 pub use guard::Token;
 pub(crate) use request::{Answer, Body, Place, Problem, Shared, at, json, unprocessable};
 pub(crate) use serve::Http;
+pub use serve::HttpSettings;
+pub(crate) use socket::{SHORT_MESSAGE, Upgrade};
+pub use tls::Tls;
 pub(crate) use view::View;
 
 use crate::desk::Desk;
@@ -23,6 +31,7 @@ use axum::{
     response::{IntoResponse, Response},
 };
 use lease::Control;
+use limits::Limits;
 use std::{net::SocketAddr, sync::Arc};
 
 /// What the calls need.
@@ -30,6 +39,7 @@ pub(crate) struct Site {
     pub address: SocketAddr,
     pub token: Token,
     pub control: Control,
+    pub limits: Arc<Limits>,
     /// The controllers.
     pub desk: Arc<Desk>,
 }

@@ -1,61 +1,134 @@
-//! The listener of the HTTP interface, with its limits.
+//! The listener: who may connect, and what is done for a connection.
 
-use super::{Site, Token, api, guard, page};
+use super::{
+    Site, Tls, Token, api,
+    connection::Connection,
+    guard,
+    limits::{
+        self, Client, HANDSHAKE_TIMEOUT, HEAD_TIMEOUT, MAX_BODY_BYTES, MAX_CONNECTIONS, MAX_HEAD_BYTES,
+        MAX_HEADERS,
+    },
+    page,
+};
 use crate::{Error, desk::Desk};
-use axum::{Router, extract::DefaultBodyLimit, middleware};
-use std::{
-    io,
-    net::SocketAddr,
-    pin::Pin,
-    sync::Arc,
-    task::{Context, Poll},
-    time::Duration,
+use axum::{Router, extract::DefaultBodyLimit, http::Request, middleware};
+use hyper::{body::Incoming, server::conn::http1, service::Service, service::service_fn};
+use hyper_util::{
+    rt::{TokioIo, TokioTimer},
+    service::TowerToHyperService,
 };
+use std::{convert::Infallible, io, net::SocketAddr, sync::Arc, time::Duration};
 use tokio::{
-    io::{AsyncRead, AsyncWrite, ReadBuf},
-    net::{TcpListener, TcpStream},
-    sync::{OwnedSemaphorePermit, Semaphore},
+    io::{AsyncRead, AsyncWrite},
+    net::TcpListener,
+    sync::Semaphore,
+    time::timeout,
 };
-
-/// Most connections at a time; more wait until one is closed.
-pub const MAX_CONNECTIONS: usize = 128;
-
-/// Most bytes of a request's body: no call needs more than a number.
-pub const MAX_BODY_BYTES: usize = 4096;
+use tokio_rustls::TlsAcceptor;
 
 /// How long to wait when no connection can be accepted, as when file descriptors have run out.
 const ACCEPT_PAUSE: Duration = Duration::from_millis(100);
+
+/// The HTTP interface, and who may come.
+pub struct HttpSettings {
+    /// Where it listens, as `ADDR:PORT`; port 0 lets the system choose.
+    pub address: String,
+    /// What every request must show.
+    pub token: Token,
+    /// A certificate, for HTTPS.
+    pub tls: Option<Tls>,
+    /// Whether other machines may connect without TLS.
+    pub is_insecure: bool,
+}
+
+impl HttpSettings {
+    /// Without TLS, for this machine only.
+    pub fn new(address: impl Into<String>, token: Token) -> Self {
+        Self { address: address.into(), token, tls: None, is_insecure: false }
+    }
+}
 
 /// The HTTP interface, bound but not serving yet.
 pub(crate) struct Http {
     listener: std::net::TcpListener,
     address: SocketAddr,
+    token: Token,
+    tls: Option<TlsAcceptor>,
 }
 
 impl Http {
-    /// Listens on `address`; port 0 lets the system choose.
-    pub fn bind(address: &str) -> Result<Self, Error> {
+    /// Listens. Others than this machine can only connect if TLS protects the token, or the user wants it so.
+    pub fn bind(settings: HttpSettings) -> Result<Self, Error> {
+        let HttpSettings { address, token, tls, is_insecure } = settings;
         let failed = |source| Error::Listen { endpoint: format!("http {address}"), source };
-        let listener = std::net::TcpListener::bind(address).map_err(failed)?;
+        let tls = tls.map(|tls| tls.acceptor()).transpose()?;
+        let listener = std::net::TcpListener::bind(&address).map_err(failed)?;
         listener.set_nonblocking(true).map_err(failed)?;
-        let address = listener.local_addr().map_err(failed)?;
-        Ok(Self { listener, address })
+        let bound = listener.local_addr().map_err(failed)?;
+        if !bound.ip().is_loopback() && tls.is_none() && !is_insecure {
+            return Err(Error::Exposed(address));
+        }
+        Ok(Self { listener, address: bound, token, tls })
     }
 
     /// The page's address, with the token.
-    pub fn url(&self, token: &Token) -> String {
-        format!("http://{}/?token={}", self.address, token.as_str())
+    pub fn url(&self) -> String {
+        let scheme = if self.tls.is_some() { "https" } else { "http" };
+        format!("{scheme}://{}/?token={}", self.address, self.token.as_str())
     }
 
     /// Serves until the future is dropped.
-    pub async fn serve(self, token: Token, desk: Arc<Desk>) -> io::Result<()> {
-        let listener = Limited {
-            listener: TcpListener::from_std(self.listener)?,
-            permits: Arc::new(Semaphore::new(MAX_CONNECTIONS)),
-        };
-        let site = Arc::new(Site { address: self.address, token, control: Default::default(), desk });
-        axum::serve(listener, routes(site)).await
+    pub async fn serve(self, desk: Arc<Desk>) -> io::Result<Infallible> {
+        let Self { listener, address, token, tls } = self;
+        let listener = TcpListener::from_std(listener)?;
+        let permits = Arc::new(Semaphore::new(MAX_CONNECTIONS));
+        let site = Site { address, token, control: Default::default(), limits: Default::default(), desk };
+        let routes = routes(Arc::new(site));
+        loop {
+            let permit = Arc::clone(&permits).acquire_owned().await.expect("the semaphore is never closed");
+            let (stream, peer) = loop {
+                match listener.accept().await {
+                    Ok(accepted) => break accepted,
+                    Err(_) => tokio::time::sleep(ACCEPT_PAUSE).await,
+                }
+            };
+            let _ = stream.set_nodelay(true);
+            let (client, connection) = (Client(peer.ip()), Connection::new(stream, permit));
+            let (tls, routes) = (tls.clone(), routes.clone());
+            tokio::spawn(async move {
+                match tls {
+                    None => answer(connection, client, routes).await,
+                    Some(tls) => {
+                        if let Ok(Ok(stream)) = timeout(HANDSHAKE_TIMEOUT, tls.accept(connection)).await {
+                            answer(stream, client, routes).await;
+                        }
+                    }
+                }
+            });
+        }
     }
+}
+
+/// Answers the requests of a connection.
+async fn answer(
+    stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
+    client: Client,
+    routes: Router,
+) {
+    let routes = TowerToHyperService::new(routes);
+    let service = service_fn(move |mut request: Request<Incoming>| {
+        request.extensions_mut().insert(client);
+        routes.call(request)
+    });
+    let connection = http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(HEAD_TIMEOUT)
+        .max_buf_size(MAX_HEAD_BYTES)
+        .max_headers(MAX_HEADERS)
+        .serve_connection(TokioIo::new(stream), service)
+        .with_upgrades();
+    // What goes wrong on a connection ends it, which the client sees.
+    let _ = connection.await;
 }
 
 /// What is served, behind all that a request has to pass, from the bottom up.
@@ -64,67 +137,11 @@ fn routes(site: Arc<Site>) -> Router {
         .fallback(api::nowhere)
         .method_not_allowed_fallback(api::no_method)
         .layer(DefaultBodyLimit::max(MAX_BODY_BYTES))
+        .layer(middleware::from_fn(limits::body))
+        .layer(middleware::from_fn_with_state(Arc::clone(&site.limits), limits::changes))
         .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::token))
         .layer(middleware::from_fn(page::serve))
         .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::place))
         .layer(middleware::from_fn(page::secure))
         .with_state(site)
-}
-
-/// Accepts no more than [`MAX_CONNECTIONS`] at a time.
-struct Limited {
-    listener: TcpListener,
-    permits: Arc<Semaphore>,
-}
-
-impl axum::serve::Listener for Limited {
-    type Io = Connection;
-    type Addr = SocketAddr;
-
-    async fn accept(&mut self) -> (Connection, SocketAddr) {
-        let permit = Arc::clone(&self.permits).acquire_owned().await.expect("the semaphore is never closed");
-        loop {
-            match self.listener.accept().await {
-                Ok((stream, address)) => {
-                    let _ = stream.set_nodelay(true);
-                    return (Connection { stream, _permit: permit }, address);
-                }
-                Err(_) => tokio::time::sleep(ACCEPT_PAUSE).await,
-            }
-        }
-    }
-
-    fn local_addr(&self) -> io::Result<SocketAddr> {
-        self.listener.local_addr()
-    }
-}
-
-/// A connection that counts.
-struct Connection {
-    stream: TcpStream,
-    _permit: OwnedSemaphorePermit,
-}
-
-impl AsyncRead for Connection {
-    fn poll_read(
-        mut self: Pin<&mut Self>,
-        cx: &mut Context<'_>,
-        into: &mut ReadBuf<'_>,
-    ) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_read(cx, into)
-    }
-}
-
-impl AsyncWrite for Connection {
-    fn poll_write(mut self: Pin<&mut Self>, cx: &mut Context<'_>, from: &[u8]) -> Poll<io::Result<usize>> {
-        Pin::new(&mut self.stream).poll_write(cx, from)
-    }
-
-    fn poll_flush(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_flush(cx)
-    }
-
-    fn poll_shutdown(mut self: Pin<&mut Self>, cx: &mut Context<'_>) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_shutdown(cx)
-    }
 }

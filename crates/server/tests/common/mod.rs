@@ -7,7 +7,7 @@ use devices::{
 };
 use rustix::fs::{Mode, OFlags};
 use serde_json::Value;
-use server::{Server, Settings, Token};
+use server::{HttpSettings, Server, Settings, Token};
 use sim::{DeviceConfig, Scenario};
 use std::{
     fs::File,
@@ -196,7 +196,7 @@ pub fn serve(devices: Vec<DeviceConfig>) -> Server {
 
 /// A server with HTTP, and where that is.
 pub fn serve_http(devices: Vec<DeviceConfig>) -> (Server, SocketAddr) {
-    let http = Some(("127.0.0.1:0".into(), Token::chosen(TOKEN).unwrap()));
+    let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(TOKEN).unwrap()));
     let server = Server::start(Settings { http, ..settings(devices) }).unwrap();
     let url = server.url().unwrap();
     let address = url.strip_prefix("http://").unwrap().split('/').next().unwrap().parse().unwrap();

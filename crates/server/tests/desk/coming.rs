@@ -5,7 +5,7 @@ use crate::{
     common::{check, connect, directory, eventually, free_address, performax, settings},
 };
 use serde_json::{Value, json};
-use server::{Server, Settings, Token};
+use server::{HttpSettings, Server, Settings, Token};
 
 fn add(rig: &Rig, what: Value) -> (u16, Value) {
     call(rig.address, "POST", "/api/devices", &what.to_string())
@@ -99,7 +99,7 @@ fn benches_that_are_wrong() {
 fn what_is_in_flash_is_on_disk() {
     let state = directory();
     let start = || {
-        let http = Some(("127.0.0.1:0".into(), Token::chosen(crate::TOKEN).unwrap()));
+        let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(crate::TOKEN).unwrap()));
         let all = Settings { http, state: Some(state.clone()), ..settings(vec![]) };
         let server = Server::start(all).unwrap();
         let address = server.url().unwrap().strip_prefix("http://").unwrap().split('/').next().unwrap();

@@ -41,7 +41,7 @@ pub fn device(model: Model, limits: [i64; 2]) -> DeviceConfig {
 
 /// A server that goes fast.
 pub fn serve(devices: Vec<DeviceConfig>) -> (Server, SocketAddr) {
-    let http = Some(("127.0.0.1:0".into(), Token::chosen(TOKEN).unwrap()));
+    let http = Some(server::HttpSettings::new("127.0.0.1:0", Token::chosen(TOKEN).unwrap()));
     let server = Server::start(server::Settings { http, speed: SPEED, ..settings(devices) }).unwrap();
     let url = server.url().unwrap();
     let address = url.strip_prefix("http://").unwrap().split('/').next().unwrap().parse().unwrap();
