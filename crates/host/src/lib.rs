@@ -16,6 +16,7 @@ mod error;
 mod find;
 mod key;
 mod model;
+mod pace;
 mod stream;
 mod tmcl;
 mod traffic;
@@ -23,10 +24,12 @@ mod types;
 mod wire;
 
 #[cfg(test)]
+mod babble;
+#[cfg(test)]
 mod scripted;
 
 pub use bits::Bit;
-pub use bus::Bus;
+pub use bus::{Bus, Wires};
 pub use code::Code;
 pub use controller::{Controller, Settings};
 pub use error::{Error, Result};

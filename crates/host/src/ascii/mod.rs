@@ -45,6 +45,9 @@ pub(crate) struct Unit {
     bits: Vec<Bit>,
     /// Where the axes were sent last.
     targets: Mutex<Vec<Option<i32>>>,
+    rest: tokio::sync::Mutex<status::Rest>,
+    /// Two downloads at once would be none.
+    downloads: tokio::sync::Mutex<()>,
 }
 
 impl Unit {
@@ -56,7 +59,8 @@ impl Unit {
         bits: Vec<Bit>,
     ) -> Self {
         let targets = Mutex::new(vec![None; dialect.axes.len()]);
-        Self { bus, model, dialect, address, bits, targets }
+        let (rest, downloads) = Default::default();
+        Self { bus, model, dialect, address, bits, targets, rest, downloads }
     }
 
     const fn is_commander(&self) -> bool {

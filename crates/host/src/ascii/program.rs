@@ -40,6 +40,7 @@ impl Unit {
         if lines.len() > self.dialect.lines.into() {
             return Err(Error::Value(format!("the program has more than {} lines", self.dialect.lines)));
         }
+        let _alone = self.downloads.lock().await;
         for program in 0..self.dialect.threads {
             self.program(program, ProgramAction::Stop).await?;
         }

@@ -4,8 +4,9 @@ use super::terminal::{is_loop_error, loop_state};
 use super::{Unit, malformed};
 use crate::bits::{errors, flags};
 use crate::error::Result;
+use crate::pace::Turns;
 use crate::types::{AxisStatus, Level, ProgramState, ProgramStatus, Status};
-use std::{collections::BTreeMap, str::FromStr};
+use std::{collections::BTreeMap, str::FromStr, time::Instant};
 
 /// Bits of the status word that both families have in the same place (PMX-2ED-SA manual, table 7.2; CMD-4CR manual,
 /// table 2-28).
@@ -23,36 +24,77 @@ mod bit {
 /// Digital inputs and outputs as a name and bits.
 type Levels = BTreeMap<String, Level>;
 
+/// What is asked for when it is its turn, and what was heard of it last.
+#[derive(Debug, Default)]
+pub(super) struct Rest {
+    turns: Turns,
+    loops: BTreeMap<usize, Loop>,
+    enables: u32,
+    absolute: Option<bool>,
+    inputs: Levels,
+    outputs: Levels,
+    programs: BTreeMap<u8, ProgramStatus>,
+}
+
+/// StepNLoop of an axis: its status and its delta, which is one only while it is on.
+#[derive(Clone, Copy, Debug)]
+struct Loop {
+    state: i32,
+    delta: Option<i32>,
+}
+
+/// A question that has its turn.
+#[derive(Clone, Copy, Debug)]
+enum Question {
+    Loop(usize),
+    Enables,
+    Mode,
+    Inputs,
+    Outputs,
+    Ports,
+    Analog(u8),
+    Duty(u8),
+    Program(u8),
+}
+
 impl Unit {
-    /// Asks for everything there is to see.
+    /// Asks for everything there is to see, or for what moves and a share of the rest.
     pub async fn status(&self, seconds: f64) -> Result<Status> {
-        let dialect = self.dialect;
+        let begin = Instant::now();
         let words = self.each("MST", !self.is_commander()).await?;
         let positions = self.counters("P").await?;
         let encoders = self.counters("E").await?;
         let speeds = self.each("PS", !self.is_commander()).await?;
-        let enables: u32 = self.bits_of("EO").await?;
-        let mut status =
-            Status { seconds, absolute: Some(self.ask::<i32>("MM").await? == 0), ..Status::default() };
+        // Two of the four were asked of each axis.
+        let asked = 2 * self.model.axes().len() + 2;
+        let mut rest = self.rest.lock().await;
+        let questions = self.questions();
+        for number in rest.turns.take(questions.len(), asked as u32, begin.elapsed()) {
+            self.look(&mut rest, questions[number]).await?;
+        }
+        let mut status = Status {
+            seconds,
+            absolute: rest.absolute,
+            inputs: rest.inputs.clone(),
+            outputs: rest.outputs.clone(),
+            programs: rest.programs.values().copied().collect(),
+            ..Status::default()
+        };
         for (number, name) in self.model.axes().iter().enumerate() {
-            let loop_number = self.ask::<i32>(&format!("SLS{name}")).await?;
-            let loop_state = loop_state(loop_number);
-            let delta = match loop_state {
-                Some(_) => Some(self.ask(&format!("D{name}")).await?),
-                None => None,
-            };
+            let looked = rest.loops.get(&number);
+            let loop_state = looked.and_then(|looked| loop_state(looked.state));
             let axis = AxisStatus {
                 position: positions[number],
                 encoder: Some(encoders[number]),
                 speed: speeds[number],
                 target: self.targets()[number],
-                delta,
-                enabled: Some(enables >> number & 1 != 0),
+                delta: looked.and_then(|looked| looked.delta),
+                enabled: Some(rest.enables >> number & 1 != 0),
                 loop_state: loop_state.map(str::to_owned),
                 ..self.axis_status(words[number] as u32)
             };
-            let failed =
-                loop_state.filter(|_| is_loop_error(loop_number)).map(|state| format!("StepNLoop: {state}"));
+            let failed = loop_state.filter(|_| looked.is_some_and(|looked| is_loop_error(looked.state)));
+            let failed = failed.map(|state| format!("StepNLoop: {state}"));
             let error = match (axis.error.clone(), failed) {
                 (Some(error), Some(failed)) => Some(format!("{error}, {failed}")),
                 (error, failed) => error.or(failed),
@@ -60,33 +102,65 @@ impl Unit {
             status.alarms.extend(error.iter().map(|error| format!("{name}: {error}")));
             status.axes.insert((*name).into(), AxisStatus { error, ..axis });
         }
-        put(&mut status.inputs, "DI", self.bits_of("DI").await?, dialect.inputs, u32::MAX);
-        put(&mut status.outputs, "DO", self.bits_of("DO").await?, dialect.outputs, u32::MAX);
-        put(&mut status.outputs, "EO", enables, dialect.axis_count(), u32::MAX);
-        if dialect.ports > 0 {
-            let (levels, driven) = (self.bits_of("IO").await?, self.bits_of("IOCFG").await?);
-            put(&mut status.inputs, "IO", levels, dialect.ports, !driven);
-            put(&mut status.outputs, "IO", levels, dialect.ports, driven);
-        }
-        for number in 1..=dialect.analog_inputs {
-            let name = format!("AI{number}");
-            let level = self.ask::<i32>(&name).await?;
-            status.inputs.insert(name, Level::Analog(level.into()));
-        }
-        for number in 1..=dialect.pwm_outputs {
-            let name = format!("PWM{number}");
-            let level = self.ask::<i32>(&name).await?;
-            status.outputs.insert(name, Level::Analog(level.into()));
-        }
-        for number in 0..dialect.threads {
-            status.programs.push(self.program_status(number).await?);
-        }
-        for (number, program) in status.programs.iter().enumerate() {
+        for (number, program) in &rest.programs {
             if program.state == ProgramState::Error {
                 status.alarms.push(format!("program {number}: error at line {}", program.counter));
             }
         }
         Ok(status)
+    }
+
+    fn questions(&self) -> Vec<Question> {
+        use Question::{Analog, Duty, Enables, Inputs, Loop, Mode, Outputs, Ports, Program};
+        let dialect = self.dialect;
+        let ports = (dialect.ports > 0).then_some(Ports);
+        let loops = (0..dialect.axes.len()).map(Loop);
+        let levels = [Enables, Mode, Inputs, Outputs].into_iter().chain(ports);
+        let analog = (1..=dialect.analog_inputs).map(Analog).chain((1..=dialect.pwm_outputs).map(Duty));
+        loops.chain(levels).chain(analog).chain((0..dialect.threads).map(Program)).collect()
+    }
+
+    async fn look(&self, rest: &mut Rest, question: Question) -> Result<()> {
+        let dialect = self.dialect;
+        match question {
+            Question::Loop(number) => {
+                let name = self.model.axes()[number];
+                let state = self.ask(&format!("SLS{name}")).await?;
+                let delta = match loop_state(state) {
+                    Some(_) => Some(self.ask(&format!("D{name}")).await?),
+                    None => None,
+                };
+                rest.loops.insert(number, Loop { state, delta });
+            }
+            Question::Enables => {
+                rest.enables = self.bits_of("EO").await?;
+                put(&mut rest.outputs, "EO", rest.enables, dialect.axis_count(), u32::MAX);
+            }
+            Question::Mode => rest.absolute = Some(self.ask::<i32>("MM").await? == 0),
+            Question::Inputs => {
+                put(&mut rest.inputs, "DI", self.bits_of("DI").await?, dialect.inputs, u32::MAX)
+            }
+            Question::Outputs => {
+                put(&mut rest.outputs, "DO", self.bits_of("DO").await?, dialect.outputs, u32::MAX)
+            }
+            Question::Ports => {
+                let (levels, driven) = (self.bits_of("IO").await?, self.bits_of("IOCFG").await?);
+                put(&mut rest.inputs, "IO", levels, dialect.ports, !driven);
+                put(&mut rest.outputs, "IO", levels, dialect.ports, driven);
+            }
+            Question::Analog(number) => self.measure(&mut rest.inputs, format!("AI{number}")).await?,
+            Question::Duty(number) => self.measure(&mut rest.outputs, format!("PWM{number}")).await?,
+            Question::Program(number) => {
+                rest.programs.insert(number, self.program_status(number).await?);
+            }
+        }
+        Ok(())
+    }
+
+    async fn measure(&self, levels: &mut Levels, name: String) -> Result<()> {
+        let level = self.ask::<i32>(&name).await?;
+        levels.insert(name, Level::Analog(level.into()));
+        Ok(())
     }
 
     /// What a status word says.
@@ -169,9 +243,14 @@ impl FromStr for List {
     }
 }
 
-/// Adds the bits that are chosen as `name1` and so on.
+/// Sets the bits that are chosen as `name1` and so on, and only those.
 fn put(levels: &mut Levels, name: &str, bits: u32, count: u8, chosen: u32) {
-    for bit in (0..count).filter(|bit| chosen >> bit & 1 != 0) {
-        levels.insert(format!("{name}{}", bit + 1), Level::Digital(bits >> bit & 1 != 0));
+    for bit in 0..count {
+        let name = format!("{name}{}", bit + 1);
+        if chosen >> bit & 1 != 0 {
+            levels.insert(name, Level::Digital(bits >> bit & 1 != 0));
+        } else {
+            levels.remove(&name);
+        }
     }
 }

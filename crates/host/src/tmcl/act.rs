@@ -33,13 +33,14 @@ const VELOCITY_MODE: i32 = 2;
 const END_SWITCH_MODES: RangeInclusive<u8> = 1..=4;
 const OTHER_END: u8 = 64;
 
-/// The bank of outputs, and of those that pull inputs up (TMCL manual, 3.7.14).
-pub(super) const OUTPUT_BANK: u8 = 2;
-const PULL_UP_BANK: u8 = 0;
+/// An output: the name of its pin, port and bank (TMCL manual, 3.7.14).
+type Output = (&'static str, u8, u8);
 
-/// Its outputs: names of pins, port and bank.
-const OUTPUTS: [(&str, u8, u8); 3] =
-    [("OUT0", 0, OUTPUT_BANK), ("OUT1", 1, OUTPUT_BANK), ("PULLUPS", 0, PULL_UP_BANK)];
+/// The outputs that can be read again.
+pub(super) const OUTPUTS: [Output; 2] = [("OUT0", 0, 2), ("OUT1", 1, 2)];
+
+/// What pulls inputs up; reading its port gives an input.
+const PULL_UPS: Output = ("PULLUPS", 0, 0);
 
 impl Module {
     /// Does something.
@@ -105,7 +106,8 @@ impl Module {
                 self.move_to(&[(axis.clone(), *target)].into(), false).await
             }
             Action::Output { name, value } => {
-                let output = OUTPUTS.iter().find(|(output, ..)| output == name);
+                let mut outputs = OUTPUTS.iter().chain([&PULL_UPS]);
+                let output = outputs.find(|(output, ..)| output == name);
                 let (_, port, bank) = *output.ok_or_else(|| Error::NoSuch(name.clone()))?;
                 let Level::Digital(on) = *value else {
                     return Err(Error::Value(format!("{name} is on or off")));

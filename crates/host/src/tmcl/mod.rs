@@ -40,6 +40,7 @@ pub(crate) struct Module {
     alone: bool,
     bits: Vec<Bit>,
     memory: Mutex<Memory>,
+    rest: tokio::sync::Mutex<status::Rest>,
     /// It stores commands instead of executing them, or may do so.
     downloading: AtomicBool,
     /// How often everything was stopped.
@@ -65,6 +66,7 @@ impl Module {
             alone: address.is_none(),
             bits,
             memory: Mutex::default(),
+            rest: tokio::sync::Mutex::default(),
             downloading: AtomicBool::new(false),
             stops: AtomicU64::new(0),
         }

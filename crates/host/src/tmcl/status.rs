@@ -1,10 +1,12 @@
 //! What the module says of itself, parameter by parameter.
 
 use super::Module;
-use super::act::{OUTPUT_BANK, parameter};
+use super::act::{OUTPUTS, parameter};
 use crate::bits::{errors, flags};
 use crate::error::Result;
+use crate::pace::Turns;
 use crate::types::{AxisStatus, Level, ProgramState, ProgramStatus, Status};
+use std::{collections::BTreeMap, time::Instant};
 use tmcl::isa::{Command, RefSearch, opcode};
 use tmcl::vm::Mode;
 
@@ -25,9 +27,21 @@ mod bit {
     pub const SEARCHING: u32 = 7;
 }
 
+/// What is asked for when it is its turn, and what was heard of it last.
+#[derive(Debug, Default)]
+pub(super) struct Rest {
+    turns: Turns,
+    inputs: BTreeMap<String, Level>,
+    outputs: BTreeMap<String, Level>,
+}
+
+/// How many other questions there are.
+const ASKED: u32 = 11;
+
 impl Module {
-    /// Asks for everything there is to see.
+    /// Asks for everything there is to see, or for what moves and a share of the rest.
     pub async fn status(&self, seconds: f64) -> Result<Status> {
+        let begin = Instant::now();
         let search = Command::new(opcode::RFS, RefSearch::Status as u8, 0, 0);
         let searching = self.ask(search).await? != 0;
         let position = self.parameter(parameter::ACTUAL_POSITION).await?;
@@ -78,15 +92,25 @@ impl Module {
         for (name, on) in [("STOP_L", left), ("STOP_R", right), ("HOME", home)] {
             status.inputs.insert(name.into(), Level::Digital(on));
         }
-        for (name, port, scale) in ANALOG {
-            let value = self.ask(Command::new(opcode::GIO, port, ANALOG_BANK, 0)).await?;
-            status.inputs.insert(name.into(), Level::Analog(f64::from(value) / scale));
+        let mut rest = self.rest.lock().await;
+        for number in rest.turns.take(ANALOG.len() + OUTPUTS.len(), ASKED, begin.elapsed()) {
+            self.look(&mut rest, number).await?;
         }
-        for port in 0..2 {
-            let level = self.ask(Command::new(opcode::GIO, port, OUTPUT_BANK, 0)).await? != 0;
-            status.outputs.insert(format!("OUT{port}"), Level::Digital(level));
-        }
+        status.inputs.extend(rest.inputs.clone());
+        status.outputs = rest.outputs.clone();
         Ok(status)
+    }
+
+    /// An analog input, or behind them an output.
+    async fn look(&self, rest: &mut Rest, number: usize) -> Result<()> {
+        if let Some(&(name, port, scale)) = ANALOG.get(number) {
+            let value = self.ask(Command::new(opcode::GIO, port, ANALOG_BANK, 0)).await?;
+            rest.inputs.insert(name.into(), Level::Analog(f64::from(value) / scale));
+        } else if let Some(&(name, port, bank)) = OUTPUTS.get(number - ANALOG.len()) {
+            let level = self.ask(Command::new(opcode::GIO, port, bank, 0)).await? != 0;
+            rest.outputs.insert(name.into(), Level::Digital(level));
+        }
+        Ok(())
     }
 
     /// The extended error flags. Reading clears them, and a motion command does, so they are read once for each time that

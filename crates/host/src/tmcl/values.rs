@@ -1,5 +1,6 @@
 //! Parameters, and what is kept when the power goes.
 
+use super::act::parameter;
 use super::{Memory, Module};
 use crate::bus::FLASH_PATIENCE;
 use crate::error::{Error, Result};
@@ -15,8 +16,12 @@ const CONFIRMATION: i32 = 1234;
 impl Module {
     /// The value of a parameter.
     pub async fn read(&self, key: &Key) -> Result<Value> {
-        let command = command(key, opcode::GAP, opcode::GGP, 0)?;
-        self.ask(command).await.map(Value::Number)
+        let value = self.ask(command(key, opcode::GAP, opcode::GGP, 0)?).await?;
+        if *key == (Key::Axis { number: parameter::EXTENDED_ERRORS, motor: 0 }) {
+            // The module has forgotten them now.
+            self.memory().errors |= value as u32;
+        }
+        Ok(Value::Number(value))
     }
 
     /// Sets a parameter.
