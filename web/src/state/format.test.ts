@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { clock, count, decimal, parseNumber, parseWhole } from "./format.ts";
+import { clock, count, decimal, parseNumber, parseWhole, reading } from "./format.ts";
 
 test("whole numbers that people type", () => {
   const check = (text: string, expected: number | null) => assert.equal(parseWhole(text), expected, text);
@@ -34,5 +34,8 @@ test("numbers that people read", () => {
   assert.equal(count(null), "–");
   assert.equal(count(Number.NaN), "–");
   assert.equal(decimal(-0.456, 2), "\u22120.46");
+  assert.equal(reading(-1500), "\u22121\u2009500");
+  assert.equal(reading(24.5), "24.5");
+  assert.equal(reading(0.251), "0.25");
   assert.equal(clock(3725.99), "1:02:05.9");
 });

@@ -14,6 +14,11 @@ export function decimal(value: number | null | undefined, decimals: number): str
   return value.toFixed(decimals).replace("-", "\u2212");
 }
 
+/** A number with the decimals that it has, two at most. */
+export function reading(value: number | null): string {
+  return value === null || Number.isInteger(value) ? count(value) : decimal(Number(value.toFixed(2)), Number.isInteger(value * 10) ? 1 : 2);
+}
+
 /** Device time as h:mm:ss.t. */
 export function clock(seconds: number): string {
   const tenths = Math.floor(seconds * 10);

@@ -21,7 +21,7 @@ export class Slide {
 
   /** Drives the pin; `null` gives it back to the machine. */
   set(value: number | null): void {
-    this.#wanted = value === null ? null : Math.round(value);
+    this.#wanted = value;
     if (!this.#busy) void this.#send();
   }
 

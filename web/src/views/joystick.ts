@@ -116,7 +116,7 @@ class Joystick extends Tab {
   #set(at: [number, number]): void {
     this.at = at;
     stick(this.catalog).forEach(({ low, high }, n) => {
-      this.#slides[n]!.set((low! + high!) / 2 + (at[n]! * (high! - low!)) / 2);
+      this.#slides[n]!.set(Math.round((low! + high!) / 2 + (at[n]! * (high! - low!)) / 2));
     });
   }
 

@@ -2,7 +2,7 @@
 
 import { css, html, nothing } from "lit";
 import type { PinInfo } from "../api/contract.ts";
-import { count } from "../state/format.ts";
+import { reading } from "../state/format.ts";
 import { Press } from "../state/press.ts";
 import { Slide } from "../state/slide.ts";
 import { base } from "../ui/styles.ts";
@@ -231,11 +231,11 @@ class Pins extends Tab {
     return html`
       <span>${pin.name} <small class="muted">${pin.role}</small></span>
       ${slides
-        ? html`<input type="range" min=${pin.low!} max=${pin.high!} step="any" ?disabled=${!this.usable}
+        ? html`<input type="range" min=${pin.low!} max=${pin.high!} step=${pin.high! - pin.low! > 200 ? 1 : 0.1} ?disabled=${!this.usable}
             aria-label="${pin.name}${pin.role ? `, ${pin.role}` : ""}" .value=${String(this.driven.get(pin.name) ?? shown ?? pin.low)}
             @input=${(event: Event) => this.#slide(pin.name, Number((event.target as HTMLInputElement).value))} />`
         : html`<span></span>`}
-      <output>${count(shown)} ${pin.unit}</output>
+      <output>${reading(shown)} ${pin.unit}</output>
       ${slides
         ? html`<button class="small plain" ?disabled=${!this.driven.has(pin.name)} title="Give it back to the machine"
             aria-label="Give ${pin.name} back to the machine" @click=${() => this.#release(pin.name)}>✕</button>`
@@ -244,7 +244,7 @@ class Pins extends Tab {
   }
 
   #slide(pin: string, value: number): void {
-    this.driven = new Map(this.driven).set(pin, Math.round(value));
+    this.driven = new Map(this.driven).set(pin, value);
     this.#slider(pin).set(value);
   }
 
@@ -273,7 +273,7 @@ class Pins extends Tab {
           name: pin.name,
           value: Number((event.target as HTMLInputElement).value),
         }))} />
-      <output>${count(shown)} ${pin.unit}</output><span></span>
+      <output>${reading(shown)} ${pin.unit}</output><span></span>
     `;
   }
 }

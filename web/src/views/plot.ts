@@ -2,7 +2,7 @@
 
 import type uPlot from "uplot";
 import type { Catalog } from "../api/contract.ts";
-import { count, decimal } from "../state/format.ts";
+import { reading } from "../state/format.ts";
 import type { Quantity } from "../state/samples.ts";
 
 /** A quantity of an axis. */
@@ -64,7 +64,7 @@ export function options(
         grid: n === 0 ? grid : { show: false },
         ticks: grid,
         font,
-        values: (_: uPlot, ticks: number[]) => ticks.map(number),
+        values: (_: uPlot, ticks: number[]) => ticks.map(reading),
         size: 72,
         label: unit[scale] ? `${scale} · ${unit[scale]}` : scale,
         labelFont: font,
@@ -79,7 +79,7 @@ export function options(
         stroke: resolve(host, `var(--curve-${n + 1})`),
         width: 1.5,
         points: { show: false },
-        value: (_: uPlot, value: number | null) => number(value),
+        value: (_: uPlot, value: number | null) => reading(value),
       })),
     ],
   };
@@ -93,10 +93,6 @@ export function resolve(host: HTMLElement, value: string): string {
   const { color } = getComputedStyle(probe);
   probe.remove();
   return color;
-}
-
-function number(value: number | null): string {
-  return value === null || Number.isInteger(value) ? count(value) : decimal(value, 2);
 }
 
 /** A little room above and below, and never an empty range. */

@@ -1,4 +1,4 @@
-import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u as d,y as f}from"./index-DiN-ZWwY.js";import{n as p,t as m}from"./hold-BhMZa763.js";import{t as h}from"./tab-Cc1zuxq_.js";import"./curves-C0BZHrjx.js";import{t as g}from"./axis-picker-DnE4T4vU.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[r,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-OJ5Q1d4b.js";import{n as p,t as m}from"./hold-C7XtiVls.js";import{t as h}from"./tab-C7c8ITOo.js";import"./curves-NvhA1x6m.js";import{t as g}from"./axis-picker-BGiAYe9Y.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -83,17 +83,17 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         margin-top: 6px;
         align-items: end;
       }
-    `];render(){let e=this.live.status?.axes[this.axis];if(!e)return n`<section class="panel"><span class="name">${this.axis}</span> –</section>`;let t=e=>this.catalog.actions.includes(e),r=this.axis;return n`
+    `];render(){let e=this.live.status?.axes[this.axis];if(!e)return f`<section class="panel"><span class="name">${this.axis}</span> –</section>`;let t=e=>this.catalog.actions.includes(e),r=this.axis;return f`
       <section class="panel ${e.error?`error`:``}" aria-label="Axis ${r}">
         <div class="row">
           <span class="name">${r}</span>
           <span class="badge ${u(e)}" data-role="state">${e.state}</span>
-          ${e.loop_state&&e.loop_state!==`NA`?n`<span class="badge" title="StepNLoop">${e.loop_state}</span>`:f}
+          ${e.loop_state&&e.loop_state!==`NA`?f`<span class="badge" title="StepNLoop">${e.loop_state}</span>`:n}
           <span class="grow"></span>
-          ${t(`power`)&&e.enabled!==null?n`<button class="small" aria-pressed=${e.enabled} ?disabled=${!this.usable}
+          ${t(`power`)&&e.enabled!==null?f`<button class="small" aria-pressed=${e.enabled} ?disabled=${!this.usable}
                 @click=${()=>this.#a({do:`power`,axis:r,on:!e.enabled})}>
                 motor ${e.enabled?`on`:`off`}
-              </button>`:f}
+              </button>`:n}
         </div>
         <div class="position" data-role="position">
           ${l(e.position)} <span class="unit">${this.catalog.units.position}</span>
@@ -106,9 +106,9 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           ${m(`Z`,e.index,`encoder index`)}
         </div>
         <div class="error-line">
-          ${e.error?n`<strong class="error-text grow">⚠ ${e.error}</strong>`:n`<span class="muted grow">no error</span>`}
-          ${t(`clear_error`)?n`<button class="small" ?disabled=${!this.usable||!e.error}
-                @click=${()=>this.#a({do:`clear_error`,axis:r})}>Clear</button>`:f}
+          ${e.error?f`<strong class="error-text grow">⚠ ${e.error}</strong>`:f`<span class="muted grow">no error</span>`}
+          ${t(`clear_error`)?f`<button class="small" ?disabled=${!this.usable||!e.error}
+                @click=${()=>this.#a({do:`clear_error`,axis:r})}>Clear</button>`:n}
         </div>
         <div class="jog">
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in negative direction while pressed`}
@@ -120,28 +120,28 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         </div>
         ${this.#n(e)} ${this.#r(t)}
       </section>
-    `}#t(e){let{units:t}=this.catalog,r=[[`Speed`,e.speed,t.speed],[`Target`,e.target,t.position],[`Encoder`,e.encoder,t.encoder],[`Delta`,e.delta,t.encoder],[`Load`,e.load,``]].filter(([e,t])=>t!==null||e===`Target`||e===`Encoder`);return n`
+    `}#t(e){let{units:t}=this.catalog,n=[[`Speed`,e.speed,t.speed],[`Target`,e.target,t.position],[`Encoder`,e.encoder,t.encoder],[`Delta`,e.delta,t.encoder],[`Load`,e.load,``]].filter(([e,t])=>t!==null||e===`Target`||e===`Encoder`);return f`
       <dl>
-        ${r.map(([e,t,r])=>n`<dt title=${r}>${e}</dt><dd data-role=${e.toLowerCase()}>${l(t)}</dd>`)}
+        ${n.map(([e,t,n])=>f`<dt title=${n}>${e}</dt><dd data-role=${e.toLowerCase()}>${l(t)}</dd>`)}
       </dl>
-    `}#n(e){return this.catalog.status_bits.length===0?f:n`
+    `}#n(e){return this.catalog.status_bits.length===0?n:f`
       <details>
         <summary>Status bits · ${e.flags.join(`, `)||`none set`}</summary>
         <ul>
-          ${this.catalog.status_bits.map(({name:t,text:r,kind:i})=>n`<li>${m(t,e.flags.includes(t),r||t,i===`error`)}</li>`)}
+          ${this.catalog.status_bits.map(({name:t,text:n,kind:r})=>f`<li>${m(t,e.flags.includes(t),n||t,r===`error`)}</li>`)}
         </ul>
       </details>
-    `}#r(e){let t=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:t})=>e(t));return t.length===0?f:n`
+    `}#r(e){let t=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:t})=>e(t));return t.length===0?n:f`
       <details>
         <summary>Set counters</summary>
-        ${t.map(({action:e,label:t})=>n`
+        ${t.map(({action:e,label:t})=>f`
             <form class="set" @submit=${t=>this.#i(t,e)}>
               <label>${t}<input name="value" class="number" type="text" inputmode="numeric" value="0" autocomplete="off" /></label>
               <button ?disabled=${!this.usable}>Set</button>
             </form>
           `)}
       </details>
-    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?d(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return a(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?a(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[r,e`
+    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?r(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return d(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?d(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -150,26 +150,26 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         font-size: 13px;
         color: var(--muted);
       }
-    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:e,axes:t}=this.catalog,r=e.find(({id:e})=>e===this.mode);return n`
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:e,axes:t}=this.catalog,r=e.find(({id:e})=>e===this.mode);return f`
       <div class="panel stack">
         <div class="row"><h2 class="grow">Home</h2>
           ${g(t,this.axis,`home-axis`,e=>this.axis=e)}
         </div>
         <label>Mode
           <select @change=${e=>this.mode=Number(e.target.value)}>
-            ${e.map(({id:e,name:t})=>n`<option value=${e} ?selected=${e===this.mode}>${e} · ${t}</option>`)}
+            ${e.map(({id:e,name:t})=>f`<option value=${e} ?selected=${e===this.mode}>${e} · ${t}</option>`)}
           </select>
         </label>
-        <p class="about">${r?.text}${r?.section?n` <span>(manual, ${r.section})</span>`:f}</p>
+        <p class="about">${r?.text}${r?.section?f` <span>(manual, ${r.section})</span>`:n}</p>
         <div class="row">
-          ${[`-`,`+`].map(e=>r?.directions.includes(e)?n`<button class="grow" ?disabled=${!this.usable}
+          ${[`-`,`+`].map(e=>r?.directions.includes(e)?f`<button class="grow" ?disabled=${!this.usable}
                   aria-label="Home ${this.axis} in ${e===`+`?`positive`:`negative`} direction"
                   @click=${()=>this.#e(e===`+`?1:-1)}>
                   ${e===`-`?`◀ Home −`:`Home + ▶`}
-                </button>`:f)}
+                </button>`:n)}
         </div>
       </div>
-    `}#e(e){let{axis:t,mode:n}=this;a(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,v);var y=class extends h{static properties={...h.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[r,e`
+    `}#e(e){let{axis:t,mode:n}=this;d(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,v);var y=class extends h{static properties={...h.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -192,7 +192,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       .head {
         justify-content: space-between;
       }
-    `];constructor(){super(),this.chosen=new Set,this.relative=!1}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.chosen=new Set(this.catalog.axes.slice(0,1)))}get#e(){let e=this.live.status?.absolute;return typeof e==`boolean`?!e:this.relative}render(){let{axes:e}=this.catalog,t=this.#e,r=this.chosen.size>1;return n`
+    `];constructor(){super(),this.chosen=new Set,this.relative=!1}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.chosen=new Set(this.catalog.axes.slice(0,1)))}get#e(){let e=this.live.status?.absolute;return typeof e==`boolean`?!e:this.relative}render(){let{axes:e}=this.catalog,t=this.#e,r=this.chosen.size>1;return f`
       <form class="panel stack" @submit=${this.#r}>
         <div class="row head">
           <h2>Move</h2>
@@ -204,10 +204,10 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           </div>
         </div>
         <div class="targets">
-          ${e.map(r=>n`
+          ${e.map(r=>f`
               <label class="line">
-                ${e.length>1?n`<input type="checkbox" aria-label="Move axis ${r}" .checked=${this.chosen.has(r)}
-                      @change=${e=>this.#t(r,e.target.checked)} />`:f}
+                ${e.length>1?f`<input type="checkbox" aria-label="Move axis ${r}" .checked=${this.chosen.has(r)}
+                      @change=${e=>this.#t(r,e.target.checked)} />`:n}
                 <strong>${r}</strong>
               </label>
               <input name=${r} class="number" type="text" inputmode="numeric" value="0" autocomplete="off"
@@ -223,12 +223,12 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         </div>
         <div class="row">
           <button type="button" class="grow" ?disabled=${!this.reachable} title="With deceleration"
-            @click=${()=>a(()=>this.api.stop(this.device.name))}>Stop all axes</button>
-          ${this.catalog.actions.includes(`abort`)?n`<button type="button" class="danger grow" ?disabled=${!this.usable} title="At once, without deceleration"
-                @click=${()=>a(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:f}
+            @click=${()=>d(()=>this.api.stop(this.device.name))}>Stop all axes</button>
+          ${this.catalog.actions.includes(`abort`)?f`<button type="button" class="danger grow" ?disabled=${!this.usable} title="At once, without deceleration"
+                @click=${()=>d(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:n}
         </div>
       </form>
-    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&a(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let r=s(String(t.get(e)));if(r===null){d(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=r}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){a(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,y);var b=class extends h{static properties={...h.properties,axis:{state:!0}};static styles=[r,e`
+    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&d(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let i=s(String(t.get(e)));if(i===null){r(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=i}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){d(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,y);var b=class extends h{static properties={...h.properties,axis:{state:!0}};static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -244,26 +244,26 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       .fields button {
         flex-basis: 100%;
       }
-    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,language:r,units:i}=this.catalog,a=r===`a-script`;return n`
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,language:r,units:i}=this.catalog,a=r===`a-script`;return f`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
           ${g(t,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
-        ${e.includes(`change_speed`)?n`<form class="fields" @submit=${this.#e}>
+        ${e.includes(`change_speed`)?f`<form class="fields" @submit=${this.#e}>
               <label title=${i.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
-              ${a?n`
+              ${a?f`
                     <label title="ms; empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
                     <label title="Speed window, set while the motor stands; empty: as it is">SSPDM
                       <input name="mode" class="number" type="text" inputmode="numeric" />
-                    </label>`:f}
+                    </label>`:n}
               <button ?disabled=${!this.usable}>Set speed</button>
-            </form>`:f}
-        ${e.includes(`change_target`)?n`<form class="fields" @submit=${this.#t}>
+            </form>`:n}
+        ${e.includes(`change_target`)?f`<form class="fields" @submit=${this.#t}>
               <label title=${i.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <button ?disabled=${!this.usable}>Set target</button>
-            </form>`:f}
+            </form>`:n}
       </div>
-    `}#e(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`,`mode`]){let r=String(t.get(e)??``).trim();if(r===``&&e!==`speed`)continue;let i=s(r);if(i===null){d(`“${r}” is not a whole number.`,`error`);return}n[e]=i}let{axis:r}=this;a(()=>this.api.act(this.device.name,{do:`change_speed`,axis:r,speed:n.speed,...n}))}#t(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?d(`A target is a whole number.`,`error`):a(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[r,e`
+    `}#e(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`,`mode`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#t(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -275,16 +275,16 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
       select {
         width: auto;
       }
-    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(S(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of S(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&d(`${e}: ${c(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return f;let t=S(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return n`
+    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(S(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of S(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&r(`${e}: ${a(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return n;let t=S(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return f`
       <form class="panel stack" @submit=${this.#a}>
         <div class="row"><h2 class="grow">Speeds and ramps</h2>
-          ${e.length>1?n`<select aria-label="Whose" @change=${this.#i}>
-                ${e.map(e=>n`<option value=${e??``} ?selected=${e===this.axis}>
+          ${e.length>1?f`<select aria-label="Whose" @change=${this.#i}>
+                ${e.map(e=>f`<option value=${e??``} ?selected=${e===this.axis}>
                   ${e===null?`all axes`:`axis ${e}`}</option>`)}
-              </select>`:f}
+              </select>`:n}
         </div>
         <div class="fields">
-          ${t.map(e=>n`
+          ${t.map(e=>f`
             <label title="${e.text} (${e.symbol}, manual ${e.section})">
               ${e.name}${e.unit?` (${e.unit})`:``}
               <input name=${e.id} class="number" type="text" inputmode="decimal" autocomplete="off"
@@ -296,7 +296,7 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
           <button ?disabled=${!this.usable}>Set</button>
         </div>
       </form>
-    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of S(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let r=String(n.get(e.id)).trim();if(r===``||r===this.#r(e))continue;let i=t(r);if(i===null){d(`${e.name}: “${r}” is not a number.`,`error`);return}if(!await a(()=>this.api.setParameter(this.device.name,e.id,i)))return;this.values={...this.values,[e.id]:i}}}};customElements.define(`pt-ramps`,C);var w=class extends h{watches=[`status`];static styles=[r,e`
+    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of S(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let i=String(n.get(e.id)).trim();if(i===``||i===this.#r(e))continue;let a=t(i);if(a===null){r(`${e.name}: “${i}” is not a number.`,`error`);return}if(!await d(()=>this.api.setParameter(this.device.name,e.id,a)))return;this.values={...this.values,[e.id]:a}}}};customElements.define(`pt-ramps`,C);var w=class extends h{watches=[`status`];static styles=[c,e`
       .grid {
         display: grid;
         grid-template-columns: repeat(var(--columns), minmax(0, 1fr));
@@ -341,22 +341,22 @@ import{S as e,a as t,b as n,f as r,i,l as a,n as o,o as s,p as c,r as l,t as u,u
         margin-bottom: 8px;
         font-size: 13px;
       }
-    `];render(){let{actions:e,axes:t,homing:r}=this.catalog,i=e.includes(`change_speed`)||e.includes(`change_target`),a=t.length+2+ +(r.length>0)+ +!!i;return n`
+    `];render(){let{actions:e,axes:t,homing:r}=this.catalog,i=e.includes(`change_speed`)||e.includes(`change_target`),a=t.length+2+ +(r.length>0)+ +!!i;return f`
       ${this.#e()}
       <div class="grid">
-        ${t.map(e=>n`
+        ${t.map(e=>f`
           <pt-axis .axis=${e} ${this.given()}></pt-axis>`)}
         <pt-moves ${this.given()}></pt-moves>
-        ${r.length>0?n`<pt-homing ${this.given()}></pt-homing>`:f}
+        ${r.length>0?f`<pt-homing ${this.given()}></pt-homing>`:n}
         <pt-ramps ${this.given()}></pt-ramps>
-        ${i?n`<pt-on-the-fly ${this.given()}></pt-on-the-fly>`:f}
+        ${i?f`<pt-on-the-fly ${this.given()}></pt-on-the-fly>`:n}
         <pt-curves compact class="after-${a%4}-of-4 after-${a%3}-of-3" ${this.given()}></pt-curves>
       </div>
-    `}#e(){let e=this.live.status;if(!e)return n`<p class="summary muted">Waiting for the first status…</p>`;let t=e.programs.flatMap(({state:e},t)=>e===`idle`?[]:[`program ${t} ${e}`]),r=Object.entries(e.axes).map(([e,t])=>`${e}: ${t.error??(t.speed===0?`standing`:`moving`)}`);return n`
+    `}#e(){let e=this.live.status;if(!e)return f`<p class="summary muted">Waiting for the first status…</p>`;let t=e.programs.flatMap(({state:e},t)=>e===`idle`?[]:[`program ${t} ${e}`]),n=Object.entries(e.axes).map(([e,t])=>`${e}: ${t.error??(t.speed===0?`standing`:`moving`)}`);return f`
       <div class="row summary">
         <span class="muted">device time <span class="mono">${o(e.seconds)}</span></span>
-        ${t.map(e=>n`<span class="badge ${e.endsWith(`error`)?`error`:`busy`}">${e}</span>`)}
-        ${e.alarms.map(e=>n`<strong class="error-text">⚠ ${e}</strong>`)}
+        ${t.map(e=>f`<span class="badge ${e.endsWith(`error`)?`error`:`busy`}">${e}</span>`)}
+        ${e.alarms.map(e=>f`<strong class="error-text">⚠ ${e}</strong>`)}
       </div>
-      <div class="visually-hidden" aria-live="polite">${r.join(`, `)}</div>
+      <div class="visually-hidden" aria-live="polite">${n.join(`, `)}</div>
     `}};customElements.define(`pt-control`,w);

@@ -1,4 +1,4 @@
-import{S as e,b as t,f as n,v as r,y as i}from"./index-DiN-ZWwY.js";var a=e`
+import{C as e,b as t,p as n,x as r,y as i}from"./index-OJ5Q1d4b.js";var a=e`
   .lamp {
     display: inline-flex;
     align-items: center;
@@ -26,11 +26,11 @@ import{S as e,b as t,f as n,v as r,y as i}from"./index-DiN-ZWwY.js";var a=e`
     border-color: var(--error);
     background: var(--error);
   }
-`;function o(e,n,r,a=!1){return n==null?i:t`
-    <span class="lamp ${n?`on`:``} ${a?`hot`:``}" title="${r}: ${n?`on`:`off`}"
-      >${e}<span class="visually-hidden">, ${r} ${n?`on`:`off`}</span></span
+`;function o(e,n,i,a=!1){return n==null?t:r`
+    <span class="lamp ${n?`on`:``} ${a?`hot`:``}" title="${i}: ${n?`on`:`off`}"
+      >${e}<span class="visually-hidden">, ${i} ${n?`on`:`off`}</span></span
     >
-  `}var s=class extends r{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[n,e`
+  `}var s=class extends i{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[n,e`
       button {
         width: 100%;
         min-height: 38px;
@@ -42,7 +42,7 @@ import{S as e,b as t,f as n,v as r,y as i}from"./index-DiN-ZWwY.js";var a=e`
         background: var(--accent);
         color: var(--on-accent);
       }
-    `];#e=()=>this.#o();#t=()=>{document.hidden&&this.#o()};constructor(){super(),this.disabled=!1,this.label=``,this.held=!1}connectedCallback(){super.connectedCallback(),window.addEventListener(`blur`,this.#e),window.addEventListener(`pagehide`,this.#e),document.addEventListener(`visibilitychange`,this.#t)}disconnectedCallback(){super.disconnectedCallback(),this.#o(),window.removeEventListener(`blur`,this.#e),window.removeEventListener(`pagehide`,this.#e),document.removeEventListener(`visibilitychange`,this.#t)}updated(){this.disabled&&this.#o()}render(){return t`
+    `];#e=()=>this.#o();#t=()=>{document.hidden&&this.#o()};constructor(){super(),this.disabled=!1,this.label=``,this.held=!1}connectedCallback(){super.connectedCallback(),window.addEventListener(`blur`,this.#e),window.addEventListener(`pagehide`,this.#e),document.addEventListener(`visibilitychange`,this.#t)}disconnectedCallback(){super.disconnectedCallback(),this.#o(),window.removeEventListener(`blur`,this.#e),window.removeEventListener(`pagehide`,this.#e),document.removeEventListener(`visibilitychange`,this.#t)}updated(){this.disabled&&this.#o()}render(){return r`
       <button
         ?disabled=${this.disabled}
         aria-label=${this.label}

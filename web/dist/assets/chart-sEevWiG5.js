@@ -1,1 +1,0 @@
-import{S as e,b as t,f as n}from"./index-DiN-ZWwY.js";import"./curves-C0BZHrjx.js";import{t as r}from"./tab-Cc1zuxq_.js";var i=class extends r{static styles=[n,e``];render(){return t`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);

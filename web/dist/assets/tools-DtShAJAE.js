@@ -1,0 +1,600 @@
+import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-OJ5Q1d4b.js";import{r as f}from"./value-BA77vwhC.js";import{t as p}from"./axis-picker-BGiAYe9Y.js";import{t as m}from"./tab-C7c8ITOo.js";import{n as h,t as g}from"./hold-C7XtiVls.js";function _(e,t){return e.find(({to_pps:e})=>t<=e)??e.at(-1)??null}function v(e,t,n){let r=Math.floor(Math.max(n-t,0)*1e3/e.delta);return[e.least_ms,Math.max(r,e.least_ms)]}function y(e,t,n){let r=e.pulsesPerCount??1,i=[],a=Math.abs(t)*r,o=e.highPps*r,s=n.find(({number:t})=>t===e.window)??_(n,o),c=s?.step_pps??1,l=e=>Math.max(e-e%c,c),u=l(Math.min(o,s?.to_pps??o)),d=Math.min(l(Math.max(e.lowPps*r,s?.least_low_pps??0)),u),f=(e,t)=>{if(s===null)return e;let[n,r]=v(s,d,u),a=Math.min(Math.max(e,n),r);return a!==e&&i.push(`${t} of ${e} ms becomes ${a} ms at these speeds.`),a},p=f(e.accelerationMs,`Acceleration`),m=f(e.decelerationMs,`Deceleration`),h=1e3*a/2,g=(d+u)/2;m!==p&&Math.max(p,m)*g>h&&(i.push(`A ramp needs more than half of the way: the deceleration is that of the acceleration.`),m=p);let y=e=>(u-d)*1e3/e;return{accelerationMs:p,decelerationMs:m,window:s,notes:i,move:{pulses:a,startPps:d,stopPps:d,topPps:u,acceleration:y(p),deceleration:y(m),sCurve:e.sCurve}}}var b=16e6,x=2047;function S(e){return b/(2**e*2048*32)}function C({pulse:e,ramp:t}){return b**2/2**(t+e+29)}function ee({pulse:e,ramp:t}){let n=Math.max(2**(t-e-1),1);return[Math.min(Math.ceil(n),x),Math.min(Math.max(2**(t-e+12)-1,1),x)]}function te(e,t){let n=w(t=>S(t)*x>=e);return{pulse:n,ramp:w(e=>C({pulse:n,ramp:e})*x>=t)}}function w(e){let t=13;for(;t>0&&!e(t);)--t;return t}var ne=1024;function re(e,t){return Math.round(t*e*512/ne/16)*16}function ie(e,t,n){return Math.round(t*e*256/n)}var T={topSpeed:4,acceleration:5,stopSpeed:130,mode:138,microsteps:140,ramp:153,pulse:154},ae=1,oe=[`HSPD`,`LSPD`,`ACC`,`DEC`,`SCV`,`SSPDM`,`SL`,`SLR`],se=[`HSPD`,`LSPD`,`ACC`,`DEC`,`EDEC`];function E(e,t){return D(e,e.language===`tmcl`?Object.values(T).map(e=>`AP${e}.${t}`):[...oe.map(e=>e+t),...se])}function D(e,t){let n=new Map(e.parameters.map(e=>[e.id,e]));return t.map(e=>n.get(e)).filter(e=>e!==void 0)}function ce(e,t,n){if(e.language===`tmcl`)return{divisors:O(t,n)};let r=k(n,`SLR${t}`);return r>0?{pulsesPerCount:r}:{}}function le(e,t,n){let r=n[`AP${T.microsteps}.${t}`];return e.language===`tmcl`&&typeof r==`number`?2**r:null}function ue(e,t,n,r){return e.language===`tmcl`?de(t,n,r):fe(t,n,r,e.speed_windows,`EDEC`in n)}function de(e,t,n){let r=n=>k(t,`AP${T[n]}.${e}`),i=O(e,t),a=S(i.pulse),o=r(`acceleration`)*C(i),s=[],[c,l]=ee(i);return(r(`acceleration`)<c||r(`acceleration`)>l)&&s.push(`With these divisors positioning ramps have accelerations from ${c} to ${l}.`),r(`mode`)===ae&&s.push(`The soft approach to the target (ramp mode 1) takes longer than shown.`),{notes:s,move:{pulses:n,startPps:a,stopPps:r(`stopSpeed`)*a,topPps:r(`topSpeed`)*a,acceleration:o,deceleration:o,sCurve:!1}}}function fe(e,t,n,r,i){let a=n=>k(t,n+e)||k(t,n),o=a(`ACC`),s=!i||k(t,`EDEC`)!==0,c=y({highPps:a(`HSPD`),lowPps:a(`LSPD`),accelerationMs:o,decelerationMs:s?a(`DEC`):o,sCurve:k(t,`SCV${e}`)!==0,window:k(t,`SSPDM${e}`),pulsesPerCount:k(t,`SL${e}`)===0?null:k(t,`SLR${e}`)||1},n,r);return{move:c.move,notes:c.notes}}function O(e,t){return{pulse:k(t,`AP${T.pulse}.${e}`),ramp:k(t,`AP${T.ramp}.${e}`)}}function k(e,t){let n=e[t];return typeof n==`number`?n:0}var A=e`
+  :host {
+    max-width: 1180px;
+  }
+  .panel {
+    margin-bottom: var(--gap);
+  }
+  .fields {
+    display: grid;
+    grid-template-columns: repeat(auto-fill, minmax(148px, 1fr));
+    gap: 8px 12px;
+  }
+  .row > select,
+  .row > label select {
+    width: auto;
+    max-width: 100%;
+  }
+  .text {
+    max-width: 76ch;
+    color: var(--muted);
+  }
+  .large {
+    font-size: 20px;
+    font-weight: 650;
+    font-variant-numeric: tabular-nums;
+  }
+  dl {
+    display: grid;
+    grid-template-columns: repeat(auto-fill, minmax(150px, 1fr));
+    gap: 8px 14px;
+    margin: 0;
+  }
+  dt {
+    color: var(--muted);
+    font-size: 12px;
+  }
+  dd {
+    margin: 0;
+    font-weight: 600;
+    font-variant-numeric: tabular-nums;
+  }
+`,j=class extends m{static properties={...m.properties,axis:{state:!0},values:{state:!0}};read={};#e=``;constructor(){super(),this.axis=``,this.values={}}needs(){return[]}willUpdate(e){super.willUpdate(e),this.axis===``&&(this.axis=this.catalog.axes[0]??``),this.active&&this.reachable&&this.#e!==this.axis&&(this.#e=this.axis,this.refresh()),this.active||(this.#e=``)}async refresh(){let e=this.needs().filter(({readable:e})=>e);await l(async()=>{let t={};for(let{id:n}of e)t[n]=await this.api.parameter(this.device.name,n);this.read=t,this.values={...t}})}async write(e,t){let n=await l(()=>this.api.setParameter(this.device.name,e,t));return n&&(this.read={...this.read,[e]:t}),this.values={...this.values,[e]:n?t:this.read[e]??t},n}get tried(){return this.needs().filter(({id:e,writable:t})=>t&&this.values[e]!==this.read[e])}async writeTried(){for(let{id:e}of this.tried){let t=this.values[e];if(t!==void 0&&!await this.write(e,t))return}}picker(){return p(this.catalog.axes,this.axis,`${this.localName}-axis`,e=>this.axis=e)}trial(e){let t=this.values[e.id],n=[e.text,f(e)].filter(Boolean).join(` `);return u`
+      <label title=${n}>
+        ${e.name} ${e.unit?`[${e.unit}]`:``}
+        <input
+          inputmode="decimal"
+          autocomplete="off"
+          .value=${t===void 0?``:String(t)}
+          ?readonly=${!e.writable}
+          @change=${t=>this.#t(e,t.target)}
+        />
+        <span><code>${e.id}</code> ${t===this.read[e.id]?r:u`<span class="badge busy">tried</span>`}</span>
+      </label>
+    `}#t(e,t){let r=n(t.value),{low:i,high:a}=e;r!==null&&(i===null||r>=i)&&(a===null||r<=a)?this.values={...this.values,[e.id]:r}:t.value=String(this.values[e.id]??``)}};function pe(e){return e.fullSteps*e.microsteps}function M(e,t,n){let r=pe(t),i={position:``,speed:`/s`,acceleration:`/s²`}[e],a=[],o=(e,t,n,r,i)=>{Number.isFinite(r)&&r>0&&a.push({id:e,label:t,name:n,pulses:r,...i&&{range:i}})},{divisors:s,pulsesPerCount:c}=n;return s!==void 0&&e===`speed`&&o(`int`,`int`,`Internal speed`,S(s.pulse),[-x,x]),s!==void 0&&e===`acceleration`&&o(`int`,`int`,`Internal acceleration`,C(s),[0,x]),o(`pulses`,{position:`pulses`,speed:`pps`,acceleration:`pps²`}[e],`Pulses`,1),c!==void 0&&o(`counts`,`counts${i}`,`Encoder counts`,c),o(`full`,`full steps${i}`,`Full steps`,t.microsteps),o(`turns`,`turns${i}`,`Turns of the motor`,r),e===`position`&&o(`degrees`,`°`,`Degrees`,r/360),e===`speed`&&o(`rpm`,`rpm`,`Turns a minute`,r/60),e===`acceleration`&&o(`rpm`,`rpm/s`,`Turns a minute, each second`,r/60),o(`mm`,`mm${i}`,`Millimetres of the load`,r/t.mmPerTurn),a}function me(e,t,n){let r=e*t.pulses;return n.map(e=>{let t=r/e.pulses;if(e.range===void 0)return{unit:e,exact:t,shown:t,fits:Number.isFinite(t)};let[n,i]=e.range,a=Math.round(t);return{unit:e,exact:t,shown:Math.min(Math.max(a,n),i),fits:a>=n&&a<=i}})}function N(e){if(!Number.isFinite(e))return`–`;let t=Number(e.toPrecision(7)),n=Math.abs(t);return n!==0&&(n>=0xe8d4a51000||n<1e-6)?t.toExponential():t.toString()}var he=[`position`,`speed`,`acceleration`],ge=class extends j{static properties={...j.properties,drive:{state:!0},divisors:{state:!0},ratio:{state:!0},entries:{state:!0},ramp:{state:!0},counts:{state:!0}};static styles=[s,A,e`
+      .quantities {
+        display: grid;
+        grid-template-columns: repeat(auto-fit, minmax(250px, 1fr));
+        gap: var(--gap);
+      }
+      td:first-child {
+        width: 60%;
+      }
+      td input {
+        width: 100%;
+        text-align: right;
+      }
+      td {
+        vertical-align: middle;
+      }
+      h2 {
+        margin-bottom: 6px;
+      }
+      .off input {
+        border-color: var(--error);
+      }
+    `];constructor(){super(),this.drive={fullSteps:200,microsteps:256,mmPerTurn:5},this.divisors={pulse:2,ramp:3},this.ratio=1,this.entries={position:{unit:`turns`,value:1},speed:{unit:`rpm`,value:60},acceleration:{unit:`turns`,value:10}},this.ramp={low:100,high:1e3,ms:300},this.counts=4e3}get#e(){return this.catalog.language===`tmcl`}needs(){return E(this.catalog,this.axis)}willUpdate(e){super.willUpdate(e),e.has(`device`)&&this.device&&(this.drive=_e(this.device.name,this.#e)),e.has(`values`)&&this.#t()}#t(){let e=le(this.catalog,this.axis,this.values);e!==null&&(this.drive={...this.drive,microsteps:e});let{divisors:t,pulsesPerCount:n}=ce(this.catalog,this.axis,this.values);t&&Object.keys(this.values).length>0&&(this.divisors=t),n&&(this.ratio=n);let[r,i,a]=[`LSPD`,`HSPD`,`ACC`].map(e=>Number(this.values[e+this.axis])||Number(this.values[e]));r&&i&&a&&(this.ramp={low:r,high:i,ms:a})}get#n(){return this.#e?{divisors:this.divisors}:{pulsesPerCount:this.ratio}}#r(e){this.drive={...this.drive,...e},localStorage.setItem(P(this.device.name),JSON.stringify(this.drive))}#i(e){let{unit:t,value:n}=this.entries[e];return n*(M(e,this.drive,this.#n).find(({id:e})=>e===t)?.pulses??1)}render(){return u`
+      <section class="panel stack" aria-label="Drive">
+        <div class="row">
+          <h2 class="grow">Drive</h2>
+          ${this.picker()}
+          <button class="small" ?disabled=${!this.reachable} @click=${()=>this.refresh()}>Take from the controller</button>
+        </div>
+        <div class="fields">
+          ${this.#a(`Full steps a turn`,this.drive.fullSteps,1,1e5,e=>this.#r({fullSteps:e}))}
+          ${this.#a(this.#e?`Microsteps (AP 140)`:`Microsteps of the drive`,this.drive.microsteps,1,4096,e=>this.#r({microsteps:e}))}
+          ${this.#a(`Millimetres a turn`,this.drive.mmPerTurn,0,1e6,e=>this.#r({mmPerTurn:e}))}
+          ${this.#e?u`
+                ${this.#a(`Pulse divisor (AP 154)`,this.divisors.pulse,0,13,e=>{this.divisors={...this.divisors,pulse:Math.round(e)}})}
+                ${this.#a(`Ramp divisor (AP 153)`,this.divisors.ramp,0,13,e=>{this.divisors={...this.divisors,ramp:Math.round(e)}})}
+              `:this.#a(`Pulses a count (SLR)`,this.ratio,.001,999.999,e=>this.ratio=e)}
+        </div>
+      </section>
+      <div class="quantities">${he.map(e=>this.#o(e))}</div>
+      ${this.#e?this.#c():this.#u()}
+    `}#a(e,t,r,a,o){return u`
+      <label>
+        ${e}
+        <input
+          inputmode="decimal"
+          autocomplete="off"
+          .value=${String(t)}
+          @change=${s=>{let c=s.target,l=n(c.value);l!==null&&l>=r&&l<=a?o(l):(i(`${e}: ${r} to ${a}.`,`error`),c.value=String(t))}}
+        />
+      </label>
+    `}#o(e){let t=M(e,this.drive,this.#n),{unit:n,value:i}=this.entries[e],a=t.find(({id:e})=>e===n)??t[0];return a?u`
+      <section class="panel" aria-label=${e}>
+        <h2>${e[0]?.toUpperCase()}${e.slice(1)}</h2>
+        <table>
+          <tbody>
+            ${me(i,a,t).map(({unit:t,shown:n,exact:o,fits:s})=>{let c=t===a&&Number.isFinite(o)?String(i):N(n);return u`
+                <tr class=${s?``:`off`}>
+                  <td>
+                    <input
+                      aria-label="${t.name}, ${t.label}"
+                      aria-invalid=${s?`false`:`true`}
+                      inputmode="decimal"
+                      autocomplete="off"
+                      .value=${c}
+                      @input=${n=>this.#s(e,t,n.target)}
+                    />
+                  </td>
+                  <td>
+                    ${t.label}
+                    ${s?r:u`<div class="error-text">${N(o)} is out of range</div>`}
+                  </td>
+                </tr>
+              `})}
+          </tbody>
+        </table>
+      </section>
+    `:r}#s(e,t,r){let i=n(r.value);r.setAttribute(`aria-invalid`,String(i===null)),i!==null&&(this.entries={...this.entries,[e]:{unit:t.id,value:i}})}#c(){let e=te(Math.abs(this.#i(`speed`)),Math.abs(this.#i(`acceleration`))),{microsteps:t,fullSteps:n}=this.drive,r=e.pulse===this.divisors.pulse&&e.ramp===this.divisors.ramp;return u`
+      <section class="panel stack" aria-label="Divisors and prescalers">
+        <h2>Divisors and prescalers</h2>
+        <p class="text">
+          Taking this speed and this acceleration as the highest that are needed, these divisors leave the most of the
+          registers (firmware manual, 6.1.3).
+        </p>
+        <div class="row">
+          <span>Pulse divisor <strong>${e.pulse}</strong>, ramp divisor <strong>${e.ramp}</strong></span>
+          <button class="small" ?disabled=${r} @click=${()=>this.divisors=e}>Calculate with them</button>
+          <button class="small" ?disabled=${!this.usable} @click=${()=>this.#l(e)}>Write to the controller</button>
+        </div>
+        <div class="row end">
+          <span>SensOstep prescaler (AP 210) <strong>${re(t,n)}</strong></span>
+          ${this.#a(`Counts a turn, external encoder`,this.counts,1,1e7,e=>this.counts=e)}
+          <span>External prescaler (AP 217) <strong>${ie(t,n,this.counts)}</strong></span>
+        </div>
+      </section>
+    `}async#l({pulse:e,ramp:t}){await this.write(`AP154.${this.axis}`,e)&&await this.write(`AP153.${this.axis}`,t)&&i(`Divisors written; speeds and accelerations in internal units mean other speeds now.`)}#u(){let{low:e,high:t,ms:n}=this.ramp,i=e=>this.ramp={...this.ramp,...e},o=_(this.catalog.speed_windows,t),[s,c]=o?v(o,e,t):[0,0],l=(t-e)*1e3/n;return u`
+      <section class="panel stack" aria-label="Ramp">
+        <h2>Ramp</h2>
+        <div class="fields">
+          ${this.#a(`Low speed [pps]`,e,1,1e7,e=>i({low:e}))}
+          ${this.#a(`High speed [pps]`,t,1,1e7,e=>i({high:e}))}
+          ${this.#a(`Time [ms]`,n,1,1e9,e=>i({ms:e}))}
+          ${this.#a(`Acceleration [pps²]`,Number(l.toPrecision(6)),1e-6,0xe8d4a51000,n=>i({ms:Math.max(Math.round((t-e)*1e3/n),1)}))}
+        </div>
+        ${o?u`<p class="text">
+              Speed window ${o.number} (SSPDM), ${o.from_pps} to ${o.to_pps} pps: ramps take ${s} to
+              ${c} ms between these speeds, over ${a((e+t)/2*n/1e3,0)} pulses with
+              ${n} ms.
+            </p>`:r}
+      </section>
+    `}};customElements.define(`pt-calculator`,ge);var P=e=>`drive ${e}`;function _e(e,t){let n={fullSteps:200,microsteps:t?256:10,mmPerTurn:5};try{let t=JSON.parse(localStorage.getItem(P(e))??`{}`),r=e=>typeof t[e]==`number`?t[e]:n[e];return{fullSteps:r(`fullSteps`),microsteps:r(`microsteps`),mmPerTurn:r(`mmPerTurn`)}}catch{return n}}var ve=80,ye=3,be=12e4;async function F(e,t,n,r){let i=performance.now()+be,a=0,o;for(;;){let s=(await e.status(t)).axes[n];if(s===void 0)throw Error(`There is no axis ${n}.`);if(a=s.speed===0&&s.position===o?.position&&s.encoder===o.encoder?a+1:0,a>=ye||r())return s;if(performance.now()>i)throw Error(`Axis ${n} does not come to rest.`);o=s,await new Promise(e=>window.setTimeout(e,ve))}}var I=[[`negative_limit`,`Negative limit`],[`home`,`Home`],[`positive_limit`,`Positive limit`],[`index`,`Index`]],xe=class extends j{static properties={...j.properties,mode:{state:!0},direction:{state:!0},running:{state:!0},result:{state:!0}};watches=[`status`];#e=new Map;#t=!1;#n=null;static styles=[s,A,h,e`
+      h2 span {
+        display: inline-grid;
+        place-items: center;
+        width: 22px;
+        height: 22px;
+        margin-right: 6px;
+        border-radius: 50%;
+        background: var(--busy-bg);
+        color: var(--busy);
+      }
+      .modes {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(260px, 1fr));
+        gap: 6px;
+      }
+      .mode {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: 2px 8px;
+        padding: 8px 10px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+        color: var(--text);
+        font-size: 13px;
+        cursor: pointer;
+      }
+      .mode:has(:checked) {
+        border-color: var(--accent);
+        background: var(--busy-bg);
+      }
+      .mode small {
+        grid-column: 2;
+        color: var(--muted);
+      }
+      ul {
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      li {
+        display: flex;
+        gap: 8px;
+        align-items: center;
+        min-height: 28px;
+      }
+      pt-hold {
+        width: 90px;
+      }
+    `];constructor(){super(),this.mode=-1,this.direction=-1,this.running=!1,this.result=null}disconnectedCallback(){super.disconnectedCallback(),this.#t=!0}needs(){let{axis:e}=this;if(this.catalog.language===`tmcl`)return D(this.catalog,[194,195,149,12,13].map(t=>`AP${t}.${e}`));let t=[`HSPD`,`LSPD`,`ACC`,`HCA`,`LCA`].flatMap(t=>[t+e,t]);return D(this.catalog,[...t,`RZ`,`ZCNT${e}`,`ZCNT`])}get#r(){return this.live.status?.axes[this.axis]}get#i(){return this.catalog.homing.find(({id:e})=>e===this.mode)??this.catalog.homing[0]}#a(e){for(let[t]of I){let n=e?.[t];n!=null&&this.#e.set(t,(this.#e.get(t)??new Set).add(n))}}#o(e){let t=l(()=>this.api.act(this.device.name,{do:`jog`,axis:this.axis,direction:e}));this.#n=t.finally(()=>this.#n=null)}#s(){let e=()=>l(()=>this.api.act(this.device.name,{do:`stop`,axis:this.axis})),t=this.#n;e(),t&&t.then(e)}async#c(e,t){let{axis:n,device:r}=this;this.running=!0,this.#t=!1,this.result=null,await l(async()=>{await this.api.act(r.name,{do:`home`,axis:n,mode:e.id,direction:t});let i=await F(this.api,r.name,n,()=>this.#t),a=i.error===null&&!this.#t,o=a?`The axis rests at ${c(i.position)} ${this.catalog.units.position}.`:i.error??`Stopped before the end.`;this.result={ok:a,text:o}})||(this.result={ok:!1,text:`Homing was not done.`}),this.running=!1}async#l(){this.#t=!0,await l(()=>this.api.stop(this.device.name))}render(){let e=this.#r;this.#a(e);let t=this.#i;if(!t)return u`<p class="muted">This controller has no homing.</p>`;let n=t.directions.map(e=>e===`+`?1:-1),r=n.includes(this.direction)?this.direction:n[0]??-1;return u`
+      ${this.#d(e)} ${this.#f(e)} ${this.#p(t,n,r)}
+      ${this.#h(e)} ${this.#g(e,t,r)}
+    `}#u(e,t){return u`<h2 class="grow"><span>${e}</span>${t}</h2>`}#d(e){return u`
+      <section class="panel stack" aria-label="Switches">
+        <div class="row">${this.#u(1,`Do the switches work?`)} ${this.picker()}</div>
+        <p class="text">Press each switch by hand, or in the tab I/O, and see its lamp go on and off.</p>
+        <ul>
+          ${I.filter(([t])=>e?.[t]!==null&&e?.[t]!==void 0).map(([t,n])=>{let r=this.#e.get(t)?.size===2;return u`
+              <li>
+                ${g(n,e?.[t],n)}
+                <span class="badge ${r?`ok`:``}">${r?`works`:`not seen to change`}</span>
+              </li>
+            `})}
+        </ul>
+      </section>
+    `}#f(e){let t=(e,t,n)=>u`
+      <pt-hold
+        label=${t}
+        .disabled=${!this.usable||this.running}
+        @begin=${()=>this.#o(e)}
+        @end=${this.#s}
+        >${n}</pt-hold
+      >
+    `;return u`
+      <section class="panel stack" aria-label="Direction">
+        ${this.#u(2,`Does it turn the right way?`)}
+        <p class="text">Hold a button for a moment: plus must move the load towards the positive limit.</p>
+        <div class="row">
+          ${t(-1,`Jog in negative direction`,`◀ −`)} ${t(1,`Jog in positive direction`,`+ ▶`)}
+          <span>Position <strong>${c(e?.position)}</strong></span>
+          ${e?.encoder===null||e===void 0?r:u`<span>Encoder <strong>${c(e.encoder)}</strong></span>`}
+        </div>
+      </section>
+    `}#p(e,t,n){let{tried:i}=this;return u`
+      <section class="panel stack" aria-label="Way of homing">
+        ${this.#u(3,`How?`)}
+        <div class="modes" role="radiogroup" aria-label="Way of homing">
+          ${this.catalog.homing.map(t=>u`
+              <label class="mode">
+                <input type="radio" name="mode" .checked=${t.id===e.id} @change=${()=>this.mode=t.id} />
+                <strong>${t.id} ${t.name}</strong>
+                <small>${t.text} <span class="muted">(${t.section})</span></small>
+              </label>
+            `)}
+        </div>
+        <div class="row" role="radiogroup" aria-label="Direction of the search">
+          ${t.map(e=>u`
+              <label class="line">
+                <input type="radio" name="way" .checked=${e===n} @change=${()=>this.direction=e} />
+                begins in ${e>0?`positive`:`negative`} direction
+              </label>
+            `)}
+        </div>
+        <div class="fields">${this.needs().map(e=>this.trial(e))}</div>
+        ${i.length>0?u`<div class="row">
+              <button class="primary" ?disabled=${!this.usable} @click=${()=>this.#m()}>Write ${i.length}</button>
+              <button @click=${()=>this.values={...this.read}}>Undo</button>
+            </div>`:r}
+      </section>
+    `}async#m(){await this.writeTried(),this.tried.length===0&&i(`Written`)}#h(e){let t=(e,t,n=r)=>u`
+      <li><span class="badge ${e?`ok`:`warn`}">${e?`good`:`look`}</span>${t} ${e?r:n}</li>
+    `,n=(e,t)=>u`
+      <button class="small" ?disabled=${!this.usable} @click=${()=>l(()=>this.api.act(this.device.name,t))}>
+        ${e}
+      </button>
+    `;if(!e)return r;let{axis:i}=this,a=e.enabled!==!1,o=I.filter(([e])=>e!==`index`&&this.#e.get(e)?.size===1).map(([,e])=>e),s=I.filter(([t])=>t!==`index`&&e[t]===!0).map(([,e])=>e);return u`
+      <section class="panel stack" aria-label="Before it goes">
+        ${this.#u(4,`Is all well?`)}
+        <ul>
+          ${t(a,a?`The motor has power.`:`The motor has no power.`,n(`Power on`,{do:`power`,axis:i,on:!0}))}
+          ${t(e.error===null,e.error??`No error.`,n(`Clear`,{do:`clear_error`,axis:i}))}
+          ${t(e.speed===0,e.speed===0?`The axis rests.`:`The axis moves.`,n(`Stop`,{do:`stop`,axis:i}))}
+          ${t(o.length===0,o.length===0?`All switches were seen to work.`:`Not seen to change: ${o.join(`, `)}.`)}
+          ${s.length===0?t(!0,`No switch is on.`):t(!1,`On now: ${s.join(`, `)}. The search begins there.`)}
+        </ul>
+      </section>
+    `}#g(e,t,n){let i=this.usable&&this.tried.length===0&&e?.error===null&&e.enabled!==!1;return u`
+      <section class="panel stack" aria-label="Go">
+        ${this.#u(5,`Go`)}
+        <div class="row">
+          ${this.running?u`<button class="stop" @click=${()=>this.#l()}>Stop</button>`:u`<button class="primary" ?disabled=${!i} @click=${()=>this.#c(t,n)}>
+                Home ${this.axis} by ${t.name}, ${n>0?`positive`:`negative`}
+              </button>`}
+          <span class="badge ${this.running?`busy`:``}">${e?.state??``}</span>
+          <span>Position <strong>${c(e?.position)}</strong></span>
+        </div>
+        ${this.result===null?r:u`<p role="status" class=${this.result.ok?``:`error-text`}>
+              <span class="badge ${this.result.ok?`ok`:`error`}">${this.result.ok?`home`:`not home`}</span>
+              ${this.result.text}
+            </p>`}
+      </section>
+    `}};customElements.define(`pt-homing-wizard`,xe);function L(e,t,n,r,i){let a=Math.max(t-e,0),o=Math.max(n-e,0);return a===0||r<=0?0:i?o/r*Math.sqrt(a/o):a/r}function R({low:e,high:t,seconds:n}){return(e+t)/2*n}function Se(e){let{sCurve:t,topPps:n}=e,r=Math.abs(e.pulses),i=Math.min(e.startPps,n),a=Math.min(e.stopPps,n),o=r=>[{low:i,high:r,seconds:L(i,r,n,e.acceleration,t),sCurve:t},{low:a,high:r,seconds:L(a,r,n,e.deceleration,t),sCurve:t}],s=e=>o(e).reduce((e,t)=>e+R(t),0),c=s(n)<=r,l=c?n:Ce(Math.max(i,a),n,e=>s(e)<=r),[u,d]=o(l),f=Math.max(r-R(u)-R(d),0),p=l>0?f/l:0;return{up:u,cruiseSeconds:p,down:d,peakPps:l,seconds:u.seconds+p+d.seconds,pulses:r,reached:c}}function Ce(e,t,n){for(let r=0;r<60;r+=1){let r=(e+t)/2;n(r)?e=r:t=r}return e}function z(e,t){let{low:n,high:r}=e;if(e.seconds===0)return[r,0];let i=Math.min(Math.max(t/e.seconds,0),1),a=r-n,o=e.sCurve?i<.5?2*i*i:1-2*(1-i)**2:i,s=e.sCurve?i<.5?2/3*i**3:i-.5+2/3*(1-i)**3:i*i/2;return[n+a*o,(n*i+a*s)*e.seconds]}function we(e,t){let{up:n,down:r,cruiseSeconds:i,peakPps:a}=e,o=Math.min(Math.max(t,0),e.seconds);if(o<=n.seconds){let[e,t]=z(n,o);return{seconds:o,pps:e,pulses:t}}if(o<=n.seconds+i)return{seconds:o,pps:a,pulses:R(n)+(o-n.seconds)*a};let[s,c]=z(r,e.seconds-o);return{seconds:o,pps:s,pulses:e.pulses-c}}function Te(e,t){let n=Array.from({length:t},(n,r)=>e.seconds*r/(t-1)),r=[e.up.seconds,e.up.seconds+e.cruiseSeconds];return[...n,...r].sort((e,t)=>e-t).map(t=>we(e,t))}var B=900,V=260,[H,U,W,G]=[70,76,12,30],Ee=241,De=4,Oe=class extends j{static properties={...j.properties,distance:{state:!0}};static styles=[s,A,e`
+      svg {
+        display: block;
+        width: 100%;
+        height: auto;
+        font-size: 12px;
+      }
+      .grid {
+        stroke: var(--line);
+      }
+      .frame {
+        fill: none;
+        stroke: var(--strong-line);
+      }
+      text {
+        fill: var(--muted);
+      }
+      .speed {
+        fill: none;
+        stroke: var(--curve-1);
+        stroke-width: 2.2;
+      }
+      .position {
+        fill: none;
+        stroke: var(--curve-2);
+        stroke-width: 2.2;
+        stroke-dasharray: 7 4;
+      }
+      text.of-speed {
+        fill: var(--curve-1);
+      }
+      text.of-position {
+        fill: var(--curve-2);
+      }
+    `];constructor(){super(),this.distance=0}needs(){return E(this.catalog,this.axis)}firstUpdated(){this.distance=this.catalog.language===`tmcl`?51200:1e4}async#e(){await l(()=>this.api.act(this.device.name,{do:`move`,targets:{[this.axis]:this.distance},relative:!0}),`Move begun`)}render(){let e=Object.keys(this.values).length>0,{move:t,notes:i}=ue(this.catalog,this.axis,this.values,this.distance),a=Se(t),{tried:o}=this;return u`
+      <section class="panel stack" aria-label="Move">
+        <div class="row">
+          <h2 class="grow">Move</h2>
+          ${this.picker()}
+          <button class="small" ?disabled=${!this.reachable} @click=${()=>this.refresh()}>Read settings</button>
+        </div>
+        <div class="row end">
+          <label>
+            Way [${this.catalog.units.position}]
+            <input
+              inputmode="numeric"
+              autocomplete="off"
+              .value=${String(this.distance)}
+              @input=${e=>{let t=n(e.target.value);t!==null&&Number.isInteger(t)&&(this.distance=t)}}
+            />
+          </label>
+          <button class="primary" ?disabled=${!this.usable||o.length>0||this.distance===0} @click=${()=>this.#e()}>
+            Make this move
+          </button>
+          ${o.length>0?u`
+                <button ?disabled=${!this.usable} @click=${()=>this.#t()}>Write ${o.length} tried</button>
+                <button @click=${()=>this.values={...this.read}}>Undo</button>
+              `:r}
+        </div>
+        <details>
+          <summary>Settings of the ramp</summary>
+          <div class="fields">${this.needs().map(e=>this.trial(e))}</div>
+        </details>
+      </section>
+      ${e&&a.seconds>0?this.#n(a,i):u`<p class="muted">Nothing moves.</p>`}
+    `}async#t(){let{length:e}=this.tried;await this.writeTried(),this.tried.length===0&&i(`${e} settings written`)}#n(e,t){let n=(e,t,n)=>u`
+      <div>
+        <dt>${e}</dt>
+        <dd>${t} ${n}</dd>
+      </div>
+    `;return u`
+      <section class="panel stack" aria-label="Profile">
+        <dl>
+          ${n(`Time`,a(e.seconds,3),`s`)}
+          ${n(e.reached?`Highest speed`:`Highest speed (not the one set)`,c(Math.round(e.peakPps)),`pps`)}
+          ${n(`Faster for`,a(e.up.seconds,3),`s`)} ${n(`Even for`,a(e.cruiseSeconds,3),`s`)}
+          ${n(`Slower for`,a(e.down.seconds,3),`s`)} ${n(`Way`,c(Math.round(e.pulses)),`pulses`)}
+        </dl>
+        ${this.#r(e)} ${t.map(e=>u`<p class="warn-text">${e}</p>`)}
+      </section>
+    `}#r(e){let n=Te(e,Ee),r=t=>H+t/e.seconds*(B-H-U),i=e=>V-G-e*(V-W-G),o=e=>n.map(t=>`${r(t.seconds).toFixed(1)},${i(e(t)).toFixed(1)}`).join(` `),s=this.distance<0?-1:1,l=Array.from({length:5},(e,t)=>t/De),d=`Speed rises to ${Math.round(e.peakPps)} pulses a second and falls again within ${e.seconds.toFixed(3)} seconds.`;return u`
+      <svg viewBox="0 0 ${B} ${V}" role="img" aria-label=${d}>
+        ${l.map(n=>t`
+            <line class="grid" x1=${H} x2=${B-U} y1=${i(n)} y2=${i(n)} />
+            <line class="grid" y1=${W} y2=${V-G} x1=${r(n*e.seconds)} x2=${r(n*e.seconds)} />
+            <text class="of-speed" x=${H-6} y=${i(n)+4} text-anchor="end">${c(Math.round(n*e.peakPps))}</text>
+            <text class="of-position" x=${B-U+6} y=${i(n)+4}>${c(Math.round(s*n*e.pulses))}</text>
+            <text x=${r(n*e.seconds)} y=${252} text-anchor="middle">${a(n*e.seconds,3)} s</text>
+          `)}
+        <rect class="frame" x=${H} y=${W} width=${B-H-U} height=${V-W-G} />
+        <polyline class="position" points=${o(({pulses:t})=>t/e.pulses)} />
+        <polyline class="speed" points=${o(({pps:t})=>t/e.peakPps)} />
+      </svg>
+      <p class="muted">Full: speed in pulses a second. Dashed: way in pulses.</p>
+    `}};customElements.define(`pt-preview`,Oe);var K=[.001,999.999];function ke(e){let t=e.filter(({pulses:e})=>e!==0),n=t.reduce((e,t)=>e+Math.abs(t.pulses),0),r=t.reduce((e,t)=>e+t.counts*Math.sign(t.pulses),0),i=n/r;if(r===0||n===0)return{ok:!1,reason:`no encoder`,exact:1/0};if(i<0)return{ok:!1,reason:`wrong way`,exact:i};let a=Number(i.toFixed(3));if(a<K[0]||a>K[1])return{ok:!1,reason:`out of range`,exact:i};let o=t.map(e=>Math.abs(e.pulses/e.counts));return{ok:!0,ratio:a,exact:i,spread:Math.max(...o)-Math.min(...o)}}var Ae={"no encoder":`The encoder did not count. Is it connected, has it power, and does the motor turn?`,"wrong way":`The encoder counts against the motor. Invert the direction or the encoder in the polarity (POL).`,"out of range":`The ratio is outside ${K[0]} to ${K[1]}. Choose another microstepping or encoder decoding.`},q=[1,-1,1,-1],je=1e6,Me=class extends j{static properties={...j.properties,pulses:{state:!0},trials:{state:!0},running:{state:!0}};#e=!1;static styles=[s,A,e`
+      table {
+        max-width: 420px;
+      }
+    `];constructor(){super(),this.pulses=1e3,this.trials=[],this.running=!1}disconnectedCallback(){super.disconnectedCallback(),this.#e=!0}get#t(){return{loop:`SL${this.axis}`,ratio:`SLR${this.axis}`}}needs(){return D(this.catalog,[this.#t.loop,this.#t.ratio])}async#n(){this.running=!0,this.#e=!1,this.trials=[],await l(()=>this.#r()),this.running=!1}async#r(){let{name:e}=this.device,{axis:t}=this;if(this.read[this.#t.loop]===0||await this.write(this.#t.loop,0))for(let n of q){let r=await F(this.api,e,t,()=>this.#e);await this.api.act(e,{do:`move`,targets:{[t]:n*this.pulses},relative:!0});let i=await F(this.api,e,t,()=>this.#e);if(this.#e)return;if(i.error!==null)throw Error(`Axis ${t} stopped: ${i.error}.`);if(i.encoder===null||r.encoder===null)throw Error(`This axis has no encoder.`);let a={pulses:i.position-r.position,counts:i.encoder-r.encoder};if(this.trials=[...this.trials,a],a.pulses!==n*this.pulses)throw Error(`The axis did not go all the way; was it stopped?`)}}async#i(){this.#e=!0,await l(()=>this.api.stop(this.device.name))}async#a(e){await this.write(this.#t.ratio,e)&&i(`${this.#t.ratio}=${e.toFixed(3)}; store it to keep it.`)}render(){let e=this.trials.length===q.length?ke(this.trials):null,t=this.live.status?.axes[this.axis];return u`
+      <section class="panel stack" aria-label="StepNLoop ratio">
+        <div class="row">
+          <h2 class="grow">StepNLoop ratio</h2>
+          ${this.picker()}
+        </div>
+        <p class="text">
+          The axis moves forward and back twice with StepNLoop off. Pulses divided by encoder counts are the ratio.
+          Choose a way that is free and long enough: with more pulses the ratio gets finer.
+        </p>
+        <div class="row end">
+          <label>
+            Way [pulses]
+            <input
+              inputmode="numeric"
+              autocomplete="off"
+              .value=${String(this.pulses)}
+              @change=${e=>{let t=e.target,n=o(t.value);n!==null&&n!==0&&Math.abs(n)<=je?this.pulses=n:t.value=String(this.pulses)}}
+            />
+          </label>
+          ${this.running?u`<button class="stop" @click=${()=>this.#i()}>Stop</button>`:u`<button class="primary" ?disabled=${!this.usable||t?.enabled===!1} @click=${()=>this.#n()}>
+                Move and measure
+              </button>`}
+          ${t?.enabled===!1?u`<span class="warn-text">The motor has no power.</span>`:r}
+          <span class="muted">Now: ${this.#t.loop}=${this.values[this.#t.loop]??`–`}, ${this.#t.ratio}=${this.values[this.#t.ratio]??`–`}</span>
+        </div>
+        ${this.trials.length>0?this.#o():r}
+        ${e===null?r:e.ok?u`
+                <div class="row" role="status">
+                  <span class="large">${e.ratio.toFixed(3)}</span>
+                  <span class="muted">pulses a count; ${a(e.exact,6)} exactly, single moves differ by ${a(e.spread,4)}</span>
+                  <button class="primary" ?disabled=${!this.usable} @click=${()=>this.#a(e.ratio)}>
+                    Write ${this.#t.ratio}
+                  </button>
+                </div>
+              `:u`<p class="error-text" role="alert">${Ae[e.reason]}</p>`}
+      </section>
+    `}#o(){return u`
+      <table aria-label="Moves">
+        <thead>
+          <tr>
+            <th class="number">Pulses</th>
+            <th class="number">Counts</th>
+            <th class="number">Ratio</th>
+          </tr>
+        </thead>
+        <tbody>
+          ${this.trials.map(({pulses:e,counts:t})=>u`
+              <tr>
+                <td class="number">${c(e)}</td>
+                <td class="number">${c(t)}</td>
+                <td class="number">${a(e/t,4)}</td>
+              </tr>
+            `)}
+        </tbody>
+      </table>
+    `}};customElements.define(`pt-ratio-finder`,Me);var J=1023,Y=32,X={maxCurrent:6,standbyCurrent:7,minimum:168,down:169,hysteresis:170,up:171,start:172,filter:173,threshold:174,actualCurrent:180,stopSpeed:181,coolStepSpeed:182,slowCurrent:183,load:206};function Ne(e,t){return e===0?null:[e*Y,(e+t+1)*Y]}var Pe=[32,8,2,1],Fe=[1,2,4,8];function Z(e){return(e>>3)+1}function Ie(e,t){let n=Z(e);return[Math.max(n>>(t===0?1:2),1),n]}function Le(e){if(e.length===0)return null;let t=e.reduce((e,t)=>e+t,0)/e.length;return{count:e.length,least:Math.min(...e),most:Math.max(...e),mean:t}}function Re(e,t){return e===null?`Run the motor at its working speed without load.`:e.most>=1023?`The reading is at its end: lower the threshold until it is not.`:e.least===0?`The motor would stop without load: raise the threshold.`:t===null?`Now brake the motor with the highest load that it must still move.`:t.least===0?`This load counts as a stall: raise the threshold.`:t.mean>=e.mean?`The reading does not fall with the load: choose another speed or current.`:t.least>e.mean/3?`There is room: lower the threshold until the reading is just above 0 at this load.`:`The threshold fits: the reading stays above 0 at this load, and a stall is seen soon beyond it.`}var Q=20,$=44,ze=[0,256,512,768,J],Be=class extends d{static properties={live:{attribute:!1},axis:{type:String},active:{type:Boolean},thresholds:{attribute:!1}};#e=0;#t=``;static styles=[s,e`
+      canvas {
+        display: block;
+        width: 100%;
+        height: 240px;
+        border: 1px solid var(--line);
+        border-radius: var(--radius);
+      }
+    `];constructor(){super(),this.axis=``,this.active=!1,this.thresholds=null}connectedCallback(){super.connectedCallback(),this.#e=requestAnimationFrame(()=>this.#n())}disconnectedCallback(){super.disconnectedCallback(),cancelAnimationFrame(this.#e)}#n(){this.#e=requestAnimationFrame(()=>this.#n());let e=this.renderRoot.querySelector(`canvas`);if(!e||!this.active)return;let t=Math.round(e.clientWidth*devicePixelRatio),n=Math.round(e.clientHeight*devicePixelRatio),r=document.documentElement.dataset.theme??matchMedia(`(prefers-color-scheme: dark)`).matches,i=[this.live.samples.version,this.axis,t,n,this.thresholds,r].join();i!==this.#t&&t!==0&&(this.#t=i,e.width=t,e.height=n,this.#r(e,t/devicePixelRatio,n/devicePixelRatio))}#r(e,t,n){let r=e.getContext(`2d`);if(!r)return;let i=t=>(e.style.color=`var(${t})`,getComputedStyle(e).color),a=this.live.samples,o=e=>$+(e-a.last+Q)/Q*(t-$),s=e=>n-8-e/J*(n-16);r.scale(devicePixelRatio,devicePixelRatio),r.font=`12px sans-serif`,r.textAlign=`right`;for(let e of ze)r.fillStyle=i(`--muted`),r.fillText(String(e),38,s(e)+4),r.strokeStyle=i(`--line`),Ve(r,[$,s(e)],[t,s(e)]);if(this.thresholds){let[e,n]=this.thresholds;r.globalAlpha=.18,r.fillStyle=i(`--ok`),r.fillRect($,s(n),t-$,s(e)-s(n)),r.globalAlpha=1,r.strokeStyle=i(`--ok`);for(let i of[e,n])Ve(r,[$,s(i)],[t,s(i)])}if(!a.has(this.axis,`load`))return;let c=a.time(),l=a.values(this.axis,`load`);r.strokeStyle=i(`--curve-1`),r.lineWidth=1.8,r.beginPath();for(let e=0;e<c.length;e+=1){let t=o(c[e]??0);t>=$&&r.lineTo(t,s(l[e]??0))}r.stroke()}render(){return u`<canvas role="img" aria-label="Load value over the last ${Q} seconds"></canvas>`}};customElements.define(`pt-load-curve`,Be);function Ve(e,t,n){e.beginPath(),e.moveTo(...t),e.lineTo(...n),e.stroke()}var He=3,Ue=400,We=1e3,Ge=class extends j{static properties={...j.properties,speed:{state:!0},free:{state:!0},loaded:{state:!0},current:{state:!0}};watches=[`status`];#e=0;static styles=[s,A,e`
+      .sliders {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(270px, 1fr));
+        gap: 10px 18px;
+      }
+      .slider {
+        display: grid;
+        grid-template-columns: 1fr auto;
+        gap: 2px 8px;
+        font-size: 13px;
+        color: var(--text);
+      }
+      .slider input {
+        grid-column: 1 / 3;
+        width: 100%;
+      }
+      .slider .what {
+        grid-column: 1 / 3;
+        color: var(--muted);
+        font-size: 12px;
+      }
+      ol {
+        margin: 0;
+        padding-left: 20px;
+      }
+      li {
+        margin-bottom: 8px;
+      }
+      meter {
+        width: 220px;
+        height: 16px;
+      }
+    `];constructor(){super(),this.speed=We,this.free=null,this.loaded=null,this.current=null}connectedCallback(){super.connectedCallback(),this.#e=window.setInterval(()=>void this.#t(),Ue)}disconnectedCallback(){super.disconnectedCallback(),clearInterval(this.#e)}async#t(){if(!this.active||!this.reachable)return;let e=await this.api.parameter(this.device.name,this.#n(`actualCurrent`)).catch(()=>null);this.current=typeof e==`number`?e:null}#n(e){return`AP${X[e]}.${this.axis}`}#r(e){return Number(this.values[this.#n(e)]??0)}needs(){return D(this.catalog,Object.keys(X).map(e=>this.#n(e)))}#i(){let{samples:e}=this.live;if(!e.has(this.axis,`load`))return null;let t=e.time();return Le([...e.values(this.axis,`load`).filter((n,r)=>(t[r]??0)>e.last-He)])}async#a(e){await l(()=>this.api.act(this.device.name,{do:`jog`,axis:this.axis,direction:e,speed:this.speed}))}render(){let e=this.live.status?.axes[this.axis],[t,n]=[this.#r(`start`),this.#r(`hysteresis`)],r=Ne(t,n),i=e!==void 0&&e.speed!==0;return u`
+      <section class="panel stack" aria-label="Load">
+        <div class="row">
+          <h2 class="grow">Load value</h2>
+          <span class="large" aria-label="Load value">${c(e?.load)}</span>
+          <span class="muted">0 is a stall</span>
+        </div>
+        <pt-load-curve .live=${this.live} .axis=${this.axis} .active=${this.active} .thresholds=${r}></pt-load-curve>
+        <div class="row end">
+          <label>
+            Speed [int]
+            <input
+              inputmode="numeric"
+              autocomplete="off"
+              .value=${String(this.speed)}
+              @change=${e=>{let t=e.target,n=o(t.value);n!==null&&n>0&&n<=2047?this.speed=n:t.value=String(this.speed)}}
+            />
+          </label>
+          <button ?disabled=${!this.usable} @click=${()=>this.#a(-1)}>◀ Turn</button>
+          <button ?disabled=${!this.usable} @click=${()=>this.#a(1)}>Turn ▶</button>
+          <button class="stop" @click=${()=>l(()=>this.api.stop(this.device.name))}>Stop</button>
+          <span class="muted">${e?.state??``}</span>
+        </div>
+      </section>
+      ${this.#o(i)} ${this.#s(r)}
+    `}#o(e){let t=e=>e===null?r:u`<span class="muted">${c(e.least)} to ${c(e.most)}, mean ${c(Math.round(e.mean))}</span>`;return u`
+      <section class="panel stack" aria-label="StallGuard2">
+        <h2>StallGuard2</h2>
+        <ol class="text">
+          <li>Let the motor turn at its working speed and without load. Begin with a threshold of 0.</li>
+          <li>
+            <span class="row">
+              <button class="small" ?disabled=${!e} @click=${()=>this.free=this.#i()}>Take free</button>
+              ${t(this.free)}
+            </span>
+          </li>
+          <li>Brake the shaft with the highest load that it must still move (virtual: the load in the tab I/O).</li>
+          <li>
+            <span class="row">
+              <button class="small" ?disabled=${!e} @click=${()=>this.loaded=this.#i()}>Take loaded</button>
+              ${t(this.loaded)}
+            </span>
+          </li>
+          <li>Move the threshold, and take both again: the reading shall be just above 0 at this load.</li>
+        </ol>
+        <p role="status"><strong>${Re(this.free,this.loaded)}</strong></p>
+        <div class="sliders">
+          ${this.#c(`threshold`)} ${this.#c(`filter`)}
+          ${this.#c(`stopSpeed`,e=>e===0?`never stops`:`stops above ${e}`)}
+        </div>
+      </section>
+    `}#s(e){let[t,n]=Ie(this.#r(`maxCurrent`),this.#r(`minimum`)),r=this.current===null?null:this.current+1;return u`
+      <section class="panel stack" aria-label="CoolStep">
+        <h2>CoolStep</h2>
+        <p class="text">
+          ${e===null?`Off while the hysteresis start is 0. Raise it until the band lies where the load value is at the usual load.`:`Below ${e[0]} the current grows, above ${e[1]} it falls, between ${t}/32 and ${n}/32 of the module's.`}
+          Tune StallGuard2 first, and switch its filter on.
+        </p>
+        <div class="row">
+          <span>Current now</span>
+          <meter min="0" max="32" .value=${r??0} aria-label="Current now"></meter>
+          <strong>${r===null?`–`:`${r}/32`}</strong>
+        </div>
+        <div class="sliders">
+          ${this.#c(`start`,e=>e===0?`off`:`below ${32*e}`)}
+          ${this.#c(`hysteresis`,()=>e?`above ${e[1]}`:``)}
+          ${this.#c(`minimum`,e=>e===0?`a half`:`a quarter`)}
+          ${this.#c(`down`,e=>`${Pe[e]??`?`} readings a step`)}
+          ${this.#c(`up`,e=>`${Fe[e]??`?`} steps a reading`)}
+          ${this.#c(`coolStepSpeed`,e=>`above ${e}`)}
+          ${this.#c(`slowCurrent`,e=>`${Z(e)}/32 below that speed`)}
+          ${this.#c(`maxCurrent`,e=>`${Z(e)}/32`)}
+        </div>
+      </section>
+    `}#c(e,t=()=>``){let n=this.#n(e),i=this.catalog.parameters.find(e=>e.id===n);if(!i||this.values[n]===void 0)return r;let a=this.#r(e),o=e=>Number(e.target.value);return u`
+      <label class="slider" title=${i.text}>
+        <span>${i.name} <code>${n}</code></span>
+        <strong>${a}</strong>
+        <input
+          type="range"
+          min=${i.low??0}
+          max=${i.high??0}
+          .value=${String(a)}
+          ?disabled=${!this.usable}
+          @input=${e=>this.values={...this.values,[n]:o(e)}}
+          @change=${e=>this.write(n,o(e))}
+        />
+        <span class="what">${t(a)}</span>
+      </label>
+    `}};customElements.define(`pt-tuning`,Ge);var Ke=[{id:`units`,title:`Units`},{id:`preview`,title:`Motion profile`},{id:`homing`,title:`Homing`},{id:`ratio`,title:`StepNLoop ratio`,fits:e=>qe(e,/^SLR/)},{id:`tuning`,title:`StallGuard & CoolStep`,fits:e=>qe(e,/^AP174\./)}],qe=(e,t)=>e.parameters.some(e=>t.test(e.id)),Je=class extends m{static properties={...m.properties,chosen:{state:!0}};static styles=[s,e`
+      .choice {
+        margin-bottom: var(--gap);
+      }
+    `];constructor(){super(),this.chosen=`units`}render(){return u`
+      <div class="row choice" role="group" aria-label="Tools">
+        ${Ke.filter(({fits:e})=>e?.(this.catalog)??!0).map(({id:e,title:t})=>u`
+            <button aria-pressed=${e===this.chosen} @click=${()=>this.chosen=e}>${t}</button>
+          `)}
+      </div>
+      ${this.#e()}
+    `}#e(){let{device:e,catalog:t,live:n,api:i,control:a,active:o}=this;switch(this.chosen){case`units`:return u`<pt-calculator .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-calculator>`;case`preview`:return u`<pt-preview .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-preview>`;case`homing`:return u`<pt-homing-wizard .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-homing-wizard>`;case`ratio`:return u`<pt-ratio-finder .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-ratio-finder>`;case`tuning`:return u`<pt-tuning .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-tuning>`;default:return r}}};customElements.define(`pt-tools`,Je);
