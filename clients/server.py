@@ -6,6 +6,7 @@ import pathlib
 import signal
 import subprocess
 import threading
+import urllib.error
 import urllib.parse
 import urllib.request
 
@@ -44,19 +45,30 @@ class Server:
         finally:
             watchdog.cancel()
 
-    def call(self, method, path, value=None):
-        """A call of the HTTP interface below `/api/devices/`; gives what it answers."""
+    def ask(self, method, path, value=None, whole=False):
+        """A request of the HTTP interface; gives what it answers, and with `whole` the status before it. Without,
+        an error is an exception."""
         url = urllib.parse.urlsplit(self.endpoints["http"])
         token = urllib.parse.parse_qs(url.query)["token"][0]
         request = urllib.request.Request(
-            f"http://{url.netloc}/api/devices/{path}",
+            f"http://{url.netloc}{urllib.parse.quote(path, safe='/%')}",
             method=method,
             data=None if value is None else json.dumps(value).encode(),
             headers={"Authorization": f"Bearer {token}"},
         )
-        with urllib.request.urlopen(request, timeout=10) as answer:
-            body = answer.read()
-        return json.loads(body) if body else None
+        try:
+            with urllib.request.urlopen(request, timeout=10) as answer:
+                status, body = answer.status, answer.read()
+        except urllib.error.HTTPError as error:
+            if not whole:
+                raise
+            status, body = error.code, error.read()
+        body = json.loads(body) if body else None
+        return (status, body) if whole else body
+
+    def call(self, method, path, value=None):
+        """A call of the HTTP interface below `/api/devices/`; gives what it answers."""
+        return self.ask(method, f"/api/devices/{path}", value)
 
     def drive(self, device, pin, value):
         """Puts a level or a number on a pin, or gives it back to the machine if the value is `None`."""
