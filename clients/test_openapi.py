@@ -10,7 +10,7 @@ from server import Server
 MODELS = {"pd42-1140": ("0", "HOME"), "pmx-2ed": ("X", "DI1"), "cmd-4cr": ("U", "+LX")}
 
 # What stands in paths for each place in braces, beside the device with its axis and pin.
-PLACES = {"id": "1", "n": "0"}
+PLACES = {"id": "1", "program": "0", "parameter": "none"}
 
 # Answers that are no JSON.
 SOCKETS = ["/stream", "/live", "/lsp"]
@@ -49,7 +49,7 @@ def filled(path, model):
 def test_everything_that_can_be_read_has_the_form_that_is_declared(server, document, model):
     read = 0
     for path, item in document["paths"].items():
-        if "get" not in item or path.endswith(tuple(SOCKETS)) or "parameters/{" in path:
+        if "get" not in item or path.endswith(tuple(SOCKETS)) or path == "/api/serial-ports":
             continue
         status, answer = server.ask("GET", filled(path, model), whole=True)
         assert status < 500, (path, answer)

@@ -35,7 +35,26 @@ macro_rules! conformance {
     };
 }
 
-const DOCUMENTS: &[Document] = &[conformance!("pd42-1140"), conformance!("pmx-2ed"), conformance!("cmd-4cr")];
+const DOCUMENTS: &[Document] = &[
+    conformance!("pd42-1140"),
+    conformance!("pmx-2ed"),
+    conformance!("cmd-4cr"),
+    // The types that the page shares with the server.
+    Document {
+        command: &[
+            "run",
+            "--quiet",
+            "--locked",
+            "--profile",
+            "test",
+            "-p",
+            "server",
+            "--example",
+            "typescript",
+        ],
+        file: "web/src/api/contract.ts",
+    },
+];
 
 /// The test of the pages, which writes them anew where [`OVERWRITE`] is in its environment.
 const PAGES: &[&str] = &["test", "--quiet", "--locked", "-p", "cli", "--test", "docs", "the_pages_are_true"];

@@ -26,6 +26,7 @@ mod unit;
 mod worker;
 
 pub use clock::SPEEDS;
+pub use desk::typescript;
 pub use http::{HttpSettings, Tls, Token};
 pub use signals::Signals;
 

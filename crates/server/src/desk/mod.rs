@@ -19,10 +19,12 @@ mod models;
 mod parameters;
 mod program;
 mod seat;
+mod typescript;
 mod wire;
 
 pub(crate) use list::Desk;
 pub(crate) use seat::{Seat, Summary};
+pub use typescript::typescript;
 
 use crate::http::Site;
 use axum::extract::DefaultBodyLimit;

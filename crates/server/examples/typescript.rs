@@ -1,0 +1,5 @@
+//! Prints the types of the HTTP interface as TypeScript.
+
+fn main() {
+    print!("{}", server::typescript());
+}
