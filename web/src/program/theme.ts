@@ -38,6 +38,8 @@ export const theme = EditorView.theme({
   ".cm-tooltip .cm-lsp-documentation": { maxWidth: "46em", padding: "4px 10px" },
   ".cm-tooltip-autocomplete > ul": { fontFamily: "var(--mono)" },
   ".cm-tooltip-autocomplete > ul > li[aria-selected]": { backgroundColor: "var(--accent)", color: "var(--on-accent)" },
+  // Its pictures are letters that not every system has.
+  ".cm-completionIcon": { display: "none" },
   ".cm-completionDetail": { color: "var(--muted)", fontStyle: "normal" },
   "li[aria-selected] .cm-completionDetail": { color: "inherit" },
   ".cm-panels": { backgroundColor: "var(--raised)", color: "var(--text)", borderColor: "var(--line)" },

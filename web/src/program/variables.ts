@@ -13,6 +13,9 @@ const LOOK_MS = 500;
 /** How long a change is marked. */
 const MARKED_MS = 2000;
 
+/** V2 comes before V10. */
+const order = new Intl.Collator("en", { numeric: true });
+
 /** `<pt-variables>`: reads them while it is `shown`, often while something is `running`, and when `moment` changes. */
 class Variables extends LitElement {
   static override properties = {
@@ -129,7 +132,9 @@ class Variables extends LitElement {
   }
 
   override render() {
-    const shown = Object.entries(this.values).filter(([id, value]) => !this.only || value !== 0 || this.#changed.has(id));
+    const shown = Object.entries(this.values)
+      .filter(([id, value]) => !this.only || value !== 0 || this.#changed.has(id))
+      .sort(([a], [b]) => order.compare(a, b));
     return html`
       <div class="row">
         <h2 class="grow">Variables</h2>
