@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import type { ParameterInfo } from "../api/contract.ts";
 import { count, decimal, parseWhole } from "../state/format.ts";
+import type { LiveEvent } from "../state/live.ts";
 import { base } from "../ui/styles.ts";
 import { attempt, say } from "../ui/toast.ts";
 import { named } from "./settings.ts";
@@ -24,6 +25,7 @@ class RatioFinder extends Tool {
   declare pulses: number;
   declare trials: Trial[];
   declare running: boolean;
+  protected override readonly watches: readonly LiveEvent[] = ["status"];
   #cancelled = false;
 
   static override styles = [
@@ -82,6 +84,10 @@ class RatioFinder extends Tool {
     }
   }
 
+  #power(): Promise<boolean> {
+    return attempt(() => this.api.act(this.device.name, { do: "power", axis: this.axis, on: true }));
+  }
+
   async #stop(): Promise<void> {
     this.#cancelled = true;
     await attempt(() => this.api.stop(this.device.name));
@@ -125,7 +131,12 @@ class RatioFinder extends Tool {
             : html`<button class="primary" ?disabled=${!this.usable || axis?.enabled === false} @click=${() => this.#find()}>
                 Move and measure
               </button>`}
-          ${axis?.enabled === false ? html`<span class="warn-text">The motor has no power.</span>` : nothing}
+          ${axis?.enabled === false
+            ? html`
+                <span class="warn-text">The motor has no power.</span>
+                <button ?disabled=${!this.usable} @click=${() => this.#power()}>Power on</button>
+              `
+            : nothing}
           <span class="muted">Now: ${this.#ids.loop}=${this.values[this.#ids.loop] ?? "–"}, ${this.#ids.ratio}=${this.values[this.#ids.ratio] ?? "–"}</span>
         </div>
         ${this.trials.length > 0 ? this.#table() : nothing}

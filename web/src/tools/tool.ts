@@ -82,12 +82,12 @@ export class Tool extends Tab {
     if (!this.active) this.#asked = "";
   }
 
-  /** Reads what the tool needs. What cannot be read is left out. */
+  /** Reads what the tool needs. */
   async refresh(): Promise<void> {
     const infos = this.needs().filter(({ readable }) => readable);
     await attempt(async () => {
-      const values: Record<string, Value> = {};
-      for (const { id } of infos) values[id] = await this.api.parameter(this.device.name, id);
+      const pairs = infos.map(async ({ id }) => [id, await this.api.parameter(this.device.name, id)] as const);
+      const values: Record<string, Value> = Object.fromEntries(await Promise.all(pairs));
       this.read = values;
       this.values = { ...values };
     });
