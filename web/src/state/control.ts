@@ -64,13 +64,17 @@ export class Control extends EventTarget {
   }
 
   async #look(): Promise<void> {
+    const { lease } = this.#api;
     try {
-      if (this.#api.lease !== null) await this.#api.renewLease();
+      if (lease !== null) await this.#api.renewLease();
       const { holder, mine } = await this.#api.leaseState();
-      if (!mine) this.#api.lease = null;
-      this.#set(holder, mine);
+      // Control that was taken or given back meanwhile is newer than this answer.
+      if (lease === this.#api.lease) {
+        if (!mine) this.#api.lease = null;
+        this.#set(holder, mine);
+      }
     } catch (error) {
-      if (error instanceof ApiError && error.status !== 0) this.#api.lease = null;
+      if (error instanceof ApiError && error.status !== 0 && lease === this.#api.lease) this.#api.lease = null;
     }
     window.setTimeout(() => void this.#look(), LOOK_MS);
   }

@@ -239,9 +239,14 @@ class Axis extends Tab {
     else void this.#act({ do: "stop", axis: this.axis });
   }
 
-  /** Stops at once, and once more if the jog was still on its way: it may arrive later than the stop. */
+  /**
+   * Stops at once, and once more if the jog was still on its way: it may arrive later than the stop. If the axis cannot
+   * be stopped alone, as when control was lost meanwhile, everything is stopped.
+   */
   #jogEnd(): void {
-    const stop = () => this.#act({ do: "stop", axis: this.axis });
+    const { name } = this.device;
+    const stop = () =>
+      attempt(() => this.api.act(name, { do: "stop", axis: this.axis }).catch(() => this.api.stop(name)));
     const late = this.#jog;
     void stop();
     if (late) void late.then(stop);

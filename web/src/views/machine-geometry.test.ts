@@ -16,10 +16,10 @@ const stage: MachineAxis = {
 const round: MachineAxis = { ...stage, negative_limit: null, positive_limit: null, home: [100, 200], circumference: 2000 };
 
 test("a rail goes from limit to limit, and pixels are pulses", () => {
-  const rail = lane(stage, 1060);
-  assert.equal(rail.x(-1000), 30);
-  assert.equal(rail.x(9000), 1030);
-  assert.equal(rail.pulse(rail.x(1234)), 1234);
+  const rail = lane(stage, 1092);
+  assert.equal(rail.x(-1000), 46);
+  assert.equal(rail.x(9000), 1046);
+  assert.equal(Math.round(rail.pulse(rail.x(1234))), 1234);
 });
 
 test("a rail reaches a shaft beyond its limits, and goes on where there are none", () => {

@@ -5,7 +5,7 @@ import type { MachineAxis } from "../api/contract.ts";
 export type SwitchRole = "negative limit" | "home" | "positive limit";
 
 /** Pixels left and right of the rail's ends. */
-const MARGIN = 30;
+const MARGIN = 46;
 /** What a stage without limits shows to each side of its shaft. */
 const OPEN_REACH = 10_000;
 

@@ -137,6 +137,7 @@ class MachineView extends Tab {
             <div class="axis">
               <div class="row head"><strong>${name}</strong>
                 <span class="muted">shaft ${count(axis.shaft)} · counter ${count(this.live.status?.axes[name]?.position)}
+                  ${axis.index_every ? `· an index mark every ${count(axis.index_every)}` : nothing}
                   ${axis.backlash ? `· backlash ${count(axis.backlash)}` : nothing}</span>
               </div>
               ${axis.circumference === null ? this.#stage(name, axis) : this.#shaft(name, axis)}
@@ -171,11 +172,7 @@ class MachineView extends Tab {
 
   #marks(axis: MachineAxis, scale: Lane) {
     const every = axis.index_every;
-    if (!every || every * scale.perPulse < MARK_GAP) {
-      return every
-        ? svg`<text x=${this.width / 2} y=${HEIGHT - 14} text-anchor="middle">an index mark every ${count(every)}</text>`
-        : nothing;
-    }
+    if (!every || every * scale.perPulse < MARK_GAP) return nothing;
     const first = Math.ceil(scale.low / every);
     const marks = Math.floor(scale.high / every) - first + 1;
     return Array.from({ length: marks }, (_, n) => {

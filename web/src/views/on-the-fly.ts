@@ -1,7 +1,7 @@
 // Speed and target of a motor that is moving.
 
 import { css, html, nothing } from "lit";
-import { parseWhole } from "../state/format.ts";
+import { count, parseWhole } from "../state/format.ts";
 import { axisPicker } from "../ui/axis-picker.ts";
 import { base } from "../ui/styles.ts";
 import { attempt, say } from "../ui/toast.ts";
@@ -27,7 +27,8 @@ class OnTheFly extends Tab {
         min-width: 60px;
       }
       .fields button {
-        flex-basis: 100%;
+        align-self: flex-end;
+        min-width: 96px;
       }
     `,
   ];
@@ -38,23 +39,29 @@ class OnTheFly extends Tab {
   }
 
   override render() {
-    const { actions, axes, language, units } = this.catalog;
-    const windows = language === "a-script";
+    const { actions, axes, parameters, speed_windows, units } = this.catalog;
+    const windows = parameters.some(({ id }) => id === this.#window) ? speed_windows : [];
     return html`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
           ${axisPicker(axes, this.axis, "fly-axis", (axis) => (this.axis = axis))}
         </div>
+        ${windows.length > 0
+          ? html`<form class="fields" @submit=${this.#setWindow}>
+              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (SSPDM)
+                <select name="window">
+                  <option value="0">0 · no changes</option>
+                  ${windows.map(({ number, from_pps, to_pps }) => html`
+                    <option value=${number}>${number} · ${count(from_pps)} to ${count(to_pps)}</option>`)}
+                </select>
+              </label>
+              <button ?disabled=${!this.usable}>Set SSPDM</button>
+            </form>`
+          : nothing}
         ${actions.includes("change_speed")
           ? html`<form class="fields" @submit=${this.#speed}>
               <label title=${units.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
-              ${windows
-                ? html`
-                    <label title="ms; empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
-                    <label title="Speed window, set while the motor stands; empty: as it is">SSPDM
-                      <input name="mode" class="number" type="text" inputmode="numeric" />
-                    </label>`
-                : nothing}
+              <label title="empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
               <button ?disabled=${!this.usable}>Set speed</button>
             </form>`
           : nothing}
@@ -68,11 +75,22 @@ class OnTheFly extends Tab {
     `;
   }
 
+  /** The parameter that says in which window speeds may change. */
+  get #window(): string {
+    return `SSPDM${this.axis}`;
+  }
+
+  #setWindow(event: SubmitEvent): void {
+    event.preventDefault();
+    const number = Number(new FormData(event.target as HTMLFormElement).get("window"));
+    void attempt(() => this.api.setParameter(this.device.name, this.#window, number), `${this.#window} is ${number}`);
+  }
+
   #speed(event: SubmitEvent): void {
     event.preventDefault();
     const data = new FormData(event.target as HTMLFormElement);
     const values: Record<string, number> = {};
-    for (const name of ["speed", "acceleration", "mode"]) {
+    for (const name of ["speed", "acceleration"]) {
       const text = String(data.get(name) ?? "").trim();
       if (text === "" && name !== "speed") continue;
       const value = parseWhole(text);

@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-OJ5Q1d4b.js";import{n as p,t as m}from"./hold-C7XtiVls.js";import{t as h}from"./tab-C7c8ITOo.js";import"./curves-NvhA1x6m.js";import{t as g}from"./axis-picker-BGiAYe9Y.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-DCco9_Qi.js";import{n as p,t as m}from"./hold-2KJn8mzF.js";import{t as h}from"./tab-DKOIfx97.js";import"./curves-KAKEEUbC.js";import{t as g}from"./axis-picker-BzKfMBAX.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -242,28 +242,35 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         min-width: 60px;
       }
       .fields button {
-        flex-basis: 100%;
+        align-self: flex-end;
+        min-width: 96px;
       }
-    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,language:r,units:i}=this.catalog,a=r===`a-script`;return f`
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,parameters:r,speed_windows:i,units:a}=this.catalog,o=r.some(({id:e})=>e===this.#e)?i:[];return f`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
           ${g(t,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
-        ${e.includes(`change_speed`)?f`<form class="fields" @submit=${this.#e}>
-              <label title=${i.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
-              ${a?f`
-                    <label title="ms; empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
-                    <label title="Speed window, set while the motor stands; empty: as it is">SSPDM
-                      <input name="mode" class="number" type="text" inputmode="numeric" />
-                    </label>`:n}
+        ${o.length>0?f`<form class="fields" @submit=${this.#t}>
+              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (SSPDM)
+                <select name="window">
+                  <option value="0">0 · no changes</option>
+                  ${o.map(({number:e,from_pps:t,to_pps:n})=>f`
+                    <option value=${e}>${e} · ${l(t)} to ${l(n)}</option>`)}
+                </select>
+              </label>
+              <button ?disabled=${!this.usable}>Set SSPDM</button>
+            </form>`:n}
+        ${e.includes(`change_speed`)?f`<form class="fields" @submit=${this.#n}>
+              <label title=${a.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
+              <label title="empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
               <button ?disabled=${!this.usable}>Set speed</button>
             </form>`:n}
-        ${e.includes(`change_target`)?f`<form class="fields" @submit=${this.#t}>
-              <label title=${i.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
+        ${e.includes(`change_target`)?f`<form class="fields" @submit=${this.#r}>
+              <label title=${a.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <button ?disabled=${!this.usable}>Set target</button>
             </form>`:n}
       </div>
-    `}#e(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`,`mode`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#t(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
+    `}get#e(){return`SSPDM${this.axis}`}#t(e){e.preventDefault();let t=Number(new FormData(e.target).get(`window`));d(()=>this.api.setParameter(this.device.name,this.#e,t),`${this.#e} is ${t}`)}#n(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#r(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
       .panel {
         height: 100%;
       }

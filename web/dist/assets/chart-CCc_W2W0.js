@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-OJ5Q1d4b.js";import"./curves-NvhA1x6m.js";import{t as r}from"./tab-C7c8ITOo.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
