@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-DCco9_Qi.js";import{n as p,t as m}from"./hold-2KJn8mzF.js";import{t as h}from"./tab-DKOIfx97.js";import"./curves-KAKEEUbC.js";import{t as g}from"./axis-picker-BzKfMBAX.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-BXzAKLd4.js";import{n as p,t as m}from"./hold-Gb0fKiy1.js";import{t as h}from"./tab-BFTOJwHk.js";import"./curves-C4m_Nspl.js";import{t as g}from"./axis-picker-DdpNlXhz.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -141,7 +141,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
             </form>
           `)}
       </details>
-    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?r(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return d(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?d(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let e=()=>this.#a({do:`stop`,axis:this.axis}),t=this.#e;e(),t&&t.then(e)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[c,e`
+    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?r(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return d(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?d(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let{name:e}=this.device,t=()=>d(()=>this.api.act(e,{do:`stop`,axis:this.axis}).catch(()=>this.api.stop(e))),n=this.#e;t(),n&&n.then(t)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[c,e`
       .panel {
         height: 100%;
       }
