@@ -31,11 +31,17 @@ impl Flash for Silent {
 
 /// Bytes on a host with 64 bits, where room for programs and the like is taken when it is needed.
 #[cfg(feature = "std")]
-const CONTROLLER_BYTES: [usize; 3] = [6_100, 8_300, 14_600];
+const CONTROLLER_BYTES: [usize; 3] = [4_100, 3_800, 6_300];
+#[cfg(feature = "std")]
+const AXIS_BYTES: usize = 400;
+#[cfg(feature = "std")]
+const PATH_BYTES: usize = 850;
 /// With all that a chip sets aside; one with 32 bits takes a little less.
 #[cfg(not(feature = "std"))]
 const CONTROLLER_BYTES: [usize; 3] = [20_400, 23_500, 46_600];
+#[cfg(not(feature = "std"))]
 const AXIS_BYTES: usize = 2_400;
+#[cfg(not(feature = "std"))]
 const PATH_BYTES: usize = 1_300;
 
 #[test]

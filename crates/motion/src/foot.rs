@@ -5,6 +5,7 @@
 //! every time, and another ends with the same: they are remembered. Three of them make a train, which can
 //! have any three spacings.
 
+use crate::room::Room;
 use crate::speed::{Growth, Pace, Scale, Speed, SpeedSquared};
 use crate::train::{Direction, EVERY_SLOT, Moment, SubTicks, Train};
 
@@ -31,16 +32,25 @@ pub(crate) struct Foot {
     key: Key,
     /// A bit for each pulse.
     known: u64,
-    /// Their spacings, and the speeds with which they end.
+    pulses: Room<Pulses>,
+}
+
+/// What is known of pulses: their spacings, and the speeds with which they end.
+#[derive(Clone, Debug)]
+struct Pulses {
     spacings: [SubTicks; LENGTH as usize],
     ends: [Speed; LENGTH as usize],
+}
+
+impl Pulses {
+    const UNKNOWN: Self = Self { spacings: [0; LENGTH as usize], ends: [0; LENGTH as usize] };
 }
 
 impl Foot {
     /// Nothing is known of any ramp.
     pub const fn new(scale: Scale, rises: bool) -> Self {
         let key = Key { scale, slow: 0, growth: 0, rises };
-        Self { key, known: 0, spacings: [0; LENGTH as usize], ends: [0; LENGTH as usize] }
+        Self { key, known: 0, pulses: Room::EMPTY }
     }
 
     /// Forgets everything if the ramp is another one.
@@ -68,7 +78,8 @@ impl Foot {
         if self.known >> lowest & all != all {
             self.learn(at, count, *from);
         }
-        let known = &self.spacings[lowest as usize..][..count as usize];
+        let pulses = self.pulses.get().expect("what is known has its place");
+        let known = &pulses.spacings[lowest as usize..][..count as usize];
         let (interval, add, jerk, span) = match (known, rises) {
             (&[a, b, c], true) | (&[c, b, a], false) => {
                 let add = b.wrapping_sub(a) as i64;
@@ -78,20 +89,24 @@ impl Foot {
             _ => (known[0], 0, 0, known[0]),
         };
         let train = Train { start, interval, add, jerk, count, direction, mask: EVERY_SLOT };
-        (train, span, self.ends[last as usize])
+        (train, span, pulses.ends[last as usize])
     }
 
     /// Finds the spacings and the ends of some pulses.
     #[cold]
     #[inline(never)]
     fn learn(&mut self, at: u32, count: u32, from: Pace) {
+        if self.pulses.get().is_none() {
+            self.pulses.set(Some(Pulses::UNKNOWN));
+        }
+        let pulses = self.pulses.get_mut().expect("it was put there");
         let mut from = from.complete();
         let Key { scale, slow, growth, rises } = self.key;
         for pulse in 0..count {
             let at = if rises { at + pulse } else { at - pulse };
             let end = from.next(slow + growth * u64::from(if rises { at + 1 } else { at }));
-            self.spacings[at as usize] = scale.mean_spacing(from.speed, end.speed);
-            self.ends[at as usize] = end.speed;
+            pulses.spacings[at as usize] = scale.mean_spacing(from.speed, end.speed);
+            pulses.ends[at as usize] = end.speed;
             self.known |= 1 << at;
             from = end;
         }

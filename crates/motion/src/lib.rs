@@ -3,8 +3,12 @@
 //! This room knows axes, ramps and pulses. It does not know bytes, commands, devices or the wall clock:
 //! whoever holds an axis tells it the time. Everything is integer arithmetic, without allocation and
 //! without `unsafe`, so that the same code steps a motor from a microcontroller's timer and a virtual
-//! one at a thousand times real time.
+//! one at a thousand times real time. Only on a host, with the feature `std`, what an axis seldom needs is
+//! allocated when it does.
 #![cfg_attr(not(test), no_std)]
+
+#[cfg(feature = "std")]
+extern crate alloc;
 
 pub mod axis;
 mod block;
@@ -20,6 +24,7 @@ pub mod path;
 pub mod plan;
 pub mod pps;
 pub mod pulser;
+mod room;
 mod scurve;
 pub mod speed;
 pub mod sync;

@@ -7,6 +7,7 @@ use crate::axis::{Goal, Stop};
 use crate::block;
 use crate::foot::Feet;
 use crate::plan::{self, Kind, Limits, Now, Piece, Run, Shape, Wish};
+use crate::room::Room;
 use crate::scurve::{self, Course};
 use crate::speed::{MAX_SPEED, Pace, Speed, SpeedSquared};
 use crate::train::{Direction, FRACTION_BITS, Moment, Ticks, Train};
@@ -70,7 +71,7 @@ pub(crate) struct Mover {
     /// What follows the leg.
     run: Run,
     /// How a motion with S-curves goes on.
-    course: Option<Course>,
+    course: Room<Course>,
 }
 
 impl Mover {
@@ -92,7 +93,7 @@ impl Mover {
             rest: WHOLE,
             leg: None,
             run: Run::NONE,
-            course: None,
+            course: Room::EMPTY,
         }
     }
 
@@ -357,7 +358,7 @@ impl Mover {
         if self.keeps_course() {
             (self.leg, self.pace, self.rest, self.since) = before;
         } else {
-            self.course = None;
+            self.course.clear();
             self.run = Run::NONE;
             self.plan(feet);
         }
@@ -380,7 +381,7 @@ impl Mover {
     /// Whether the course on its way is still right, so that a curve need not start anew.
     fn keeps_course(&self) -> bool {
         let now = Now { squared: self.pace.squared, rest: self.rest };
-        match (&self.course, self.limits.bend(), self.wish()) {
+        match (self.course.get(), self.limits.bend(), self.wish()) {
             (Some(course), Some(bend), Some(wish)) => course.serves(&self.limits, bend, now, wish),
             _ => false,
         }
@@ -388,14 +389,14 @@ impl Mover {
 
     /// The speed after some pulses of the leg.
     fn pace_after(&self, leg: &Leg, pulses: u32) -> Pace {
-        match (&self.course, leg.kind) {
+        match (self.course.get(), leg.kind) {
             (Some(course), Kind::Curve(_)) => Pace::of(course.speed_at(pulses)),
             _ => leg.pace_after(self.pace, pulses),
         }
     }
 
     fn count(&mut self, direction: Direction, pulses: u32) {
-        if let Some(course) = &mut self.course {
+        if let Some(course) = self.course.get_mut() {
             course.pass(pulses);
         }
         let way = direction.sign() * i64::from(pulses);
@@ -409,7 +410,7 @@ impl Mover {
         self.rest = WHOLE;
         self.leg = None;
         self.run = Run::NONE;
-        self.course = None;
+        self.course.clear();
     }
 
     /// Finds the next leg, or comes to rest.
@@ -511,10 +512,10 @@ impl Mover {
     /// The same with S-curves, which take more of the stack.
     #[inline(never)]
     fn curved_piece(&mut self, bend: Speed, now: Now, wish: Wish) -> Option<Piece> {
-        if self.course.is_none() {
-            self.course = Course::new(&self.limits, bend, now, wish);
+        if self.course.get().is_none() {
+            self.course.set(Course::new(&self.limits, bend, now, wish));
         }
-        self.course.as_mut()?.piece(self.rest)
+        self.course.get_mut()?.piece(self.rest)
     }
 
     /// Sets out on a piece.
@@ -525,7 +526,7 @@ impl Mover {
             return self.go_on_foot(at as u32, count, end, feet);
         }
         let from = self.pace.complete();
-        let end = match (kind, &self.course) {
+        let end = match (kind, self.course.get()) {
             (Kind::Curve(_), Some(course)) => course.pace(),
             _ => from.next(end),
         };

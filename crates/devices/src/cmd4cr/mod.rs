@@ -120,7 +120,7 @@ impl<F: Flash> Cmd4cr<F> {
         Self {
             now: 0,
             memory: Memory::new(flash, &memory::LAYOUT),
-            axes: [const { motion::resting() }; AXIS_COUNT],
+            axes: [const { Axis::new(motion::resting()) }; AXIS_COUNT],
             stations: [const { Station::new(Encoder::new(0, 0)) }; AXIS_COUNT],
             guards: [Guard::new(); AXIS_COUNT],
             clears: [ErrorClear::new(); AXIS_COUNT],

@@ -11,7 +11,7 @@ use crate::board::Board;
 use crate::flash::Flash;
 use ::motion::closed_loop::{self, Ratio};
 use ::motion::pps::{self, COMMANDER, Profile};
-use ::motion::{Axis, Direction, Goal, Limits, Shape};
+use ::motion::{Direction, Goal, Limits, Shape};
 
 /// Targets by axis.
 pub type Targets = [Option<i32>; AXIS_COUNT];
@@ -47,10 +47,10 @@ pub fn axes_in(bits: u8) -> impl Iterator<Item = usize> + Clone {
     (0..AXIS_COUNT).filter(move |axis| bits >> axis & 1 != 0)
 }
 
-/// An axis before its first motion, which brings limits with it.
-pub const fn resting() -> Axis {
+/// The limits of an axis before its first motion, which brings its own.
+pub const fn resting() -> Limits {
     let profile = Profile { low_pps: 1, high_pps: 1, acceleration_ms: 1, deceleration_ms: 1, s_curve: false };
-    Axis::new(profile.limits(pps::scale(1, HZ), HZ))
+    profile.limits(pps::scale(1, HZ), HZ)
 }
 
 impl<F: Flash> Cmd4cr<F> {

@@ -106,7 +106,7 @@ pub struct Ride {
 impl Ride {
     /// One that is about to set out.
     const fn new() -> Self {
-        Self { path: Path::idle(), members: 0, limits: resting().limits(), buffered: false }
+        Self { path: Path::idle(), members: 0, limits: resting(), buffered: false }
     }
 }
 

@@ -36,7 +36,7 @@ pub struct Guard {
 impl Guard {
     pub const fn new() -> Self {
         Self {
-            limits: resting().limits(),
+            limits: resting(),
             alarm: false,
             emergency: false,
             slowdown_stop: false,

@@ -92,7 +92,7 @@ impl<F: Flash> Pmx2ed<F> {
         Self {
             now: 0,
             memory: Memory::new(flash, &memory::LAYOUT),
-            axes: [const { motion::resting() }; AXIS_COUNT],
+            axes: [const { Axis::new(motion::resting()) }; AXIS_COUNT],
             stations: [const { Station::new(Encoder::new(0, 0)) }; AXIS_COUNT],
             line: Path::idle(),
             incremental: false,

@@ -14,12 +14,12 @@ use ::motion::homing::routine::{Inputs, Outcome, Settings};
 use ::motion::homing::{Homing, performax::Routine};
 use ::motion::path::{Move, Path};
 use ::motion::pps::{self, CLOCK_HZ, PERFORMAX, Profile};
-use ::motion::{Axis, Direction, Goal, Limits, Shape};
+use ::motion::{Direction, Goal, Limits, Shape};
 
-/// An axis before its first motion, which brings limits with it.
-pub const fn resting() -> Axis {
+/// The limits of an axis before its first motion, which brings its own.
+pub const fn resting() -> Limits {
     let profile = Profile { low_pps: 1, high_pps: 1, acceleration_ms: 1, deceleration_ms: 1, s_curve: false };
-    Axis::new(profile.limits(pps::scale(1, CLOCK_HZ), CLOCK_HZ))
+    profile.limits(pps::scale(1, CLOCK_HZ), CLOCK_HZ)
 }
 
 impl<F: Flash> Pmx2ed<F> {

@@ -1,7 +1,9 @@
 //! The faults of a device: those that it has, and those that still wait for something.
 
 use super::{
-    PinValue, VirtualDevice, level_for,
+    PinValue, VirtualDevice,
+    held::Held,
+    level_for,
     power::Flash,
     world::{Stirred, World},
 };
@@ -17,6 +19,7 @@ use crate::{
 };
 use devices::{PinKind, Port, ProgramRun, ProgramState};
 use motion::Ticks;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// All faults of a device.
 #[derive(Debug)]
@@ -97,9 +100,9 @@ struct Active {
 #[derive(Clone, Debug, PartialEq)]
 struct Effects {
     /// The levels of inputs that are stuck, by pin.
-    stuck: Vec<Option<i32>>,
-    /// How long switches bounce, by pin.
-    bounces_ms: Vec<u32>,
+    stuck: Held,
+    /// How long switches bounce: those that do.
+    bounces_ms: BTreeMap<usize, u32>,
     /// Whether an encoder is broken, by channel.
     broken: Vec<bool>,
     /// More load, by axis.
@@ -112,10 +115,10 @@ struct Effects {
 
 impl Effects {
     fn none(parts: &Parts) -> Self {
-        let (pins, axes) = (parts.pins.len(), parts.axes.len());
+        let axes = parts.axes.len();
         Self {
-            stuck: vec![None; pins],
-            bounces_ms: vec![0; pins],
+            stuck: Held::default(),
+            bounces_ms: BTreeMap::new(),
             broken: vec![false; axes * parts.encoders()],
             loads: vec![0.0; axes],
             volts: None,
@@ -463,8 +466,13 @@ impl VirtualDevice {
             return;
         }
         let (now, machine) = (self.now(), &mut self.world.machine);
-        for (pin, ms) in changes(&old.bounces_ms, &new.bounces_ms) {
-            machine.set_bounce(pin, ms, now);
+        // By pin, so that runs repeat.
+        let bouncing: BTreeSet<_> = old.bounces_ms.keys().chain(new.bounces_ms.keys()).collect();
+        for pin in bouncing {
+            let [before, ms] = [&old, &new].map(|effects| effects.bounces_ms.get(pin).copied().unwrap_or(0));
+            if ms != before {
+                machine.set_bounce(*pin, ms, now);
+            }
         }
         for (channel, broken) in changes(&old.broken, &new.broken) {
             machine.set_encoder_broken(channel, broken);
@@ -493,9 +501,9 @@ impl VirtualDevice {
         let mut effects = Effects::none(&parts);
         for Active { fault, level, .. } in &self.faults.active {
             match &fault.kind {
-                Kind::StuckSwitch { pin: name, .. } => effects.stuck[pin(name)] = Some(*level),
+                Kind::StuckSwitch { pin: name, .. } => effects.stuck.set(pin(name), Some(*level)),
                 Kind::BouncingSwitch { pin: name, ms } => {
-                    let bounce = &mut effects.bounces_ms[pin(name)];
+                    let bounce = effects.bounces_ms.entry(pin(name)).or_default();
                     *bounce = (*bounce).max(*ms);
                 }
                 Kind::BrokenEncoder { axis: name, encoder } => {

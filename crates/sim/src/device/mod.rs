@@ -1,6 +1,7 @@
 //! A controller in its machine, and the loop that lets their time pass.
 
 mod faults;
+mod held;
 mod lines;
 mod pins;
 mod power;
@@ -81,8 +82,6 @@ pub struct VirtualDevice {
     wheels: Vec<Wheel>,
     /// The level of each input as the controller knows it.
     told: Vec<i32>,
-    /// Where each pin's shaft was then.
-    places: Vec<i64>,
     movements: Vec<Movement>,
     /// Those that recordings were told of.
     notices: VecDeque<Notice>,
@@ -126,7 +125,6 @@ impl VirtualDevice {
             schedule: Schedule::default(),
             wheels,
             told: Vec::new(),
-            places: Vec::new(),
             movements: Vec::new(),
             notices: VecDeque::new(),
             tapes: Vec::new(),

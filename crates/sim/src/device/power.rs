@@ -56,7 +56,7 @@ impl VirtualDevice {
     pub(super) fn start(&mut self) {
         let pins = self.pins();
         self.told = pins.iter().map(|pin| pin.rest).collect();
-        self.places = (0..pins.len()).map(|pin| self.world.machine.place_of(pin)).collect();
+        (0..pins.len()).for_each(|pin| _ = self.world.machine.take_jump(pin));
         self.world.set_clock(0);
         for (pin, description) in pins.iter().enumerate() {
             if description.kind.is_analog() && self.world.level(pin) != description.rest {

@@ -52,14 +52,11 @@ impl VirtualDevice {
         if !self.world.pins[pin].kind.is_told() || self.world.is_output(pin) {
             return;
         }
-        let from = std::mem::replace(&mut self.places[pin], self.world.machine.place_of(pin));
+        let jumped = self.world.machine.take_jump(pin);
         let level = self.world.level(pin);
         if level != self.told[pin] {
             self.tell(pin, level);
-        } else if self.world.is_free(pin)
-            && self.world.machine.is_jumped(pin, from)
-            && self.world.watches(pin, self.controller.as_ref())
-        {
+        } else if jumped && self.world.is_free(pin) && self.world.watches(pin, self.controller.as_ref()) {
             // Full steps are longer than some marks: it was on within a pulse.
             self.tell(pin, 1 - level);
             self.tell(pin, level);

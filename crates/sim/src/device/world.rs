@@ -1,6 +1,9 @@
 //! Everything around the controller: the board that it acts on.
 
-use super::traps::{Seen, Traps};
+use super::{
+    held::Held,
+    traps::{Seen, Traps},
+};
 use crate::{
     SharedFlash,
     config::DeviceConfig,
@@ -88,12 +91,12 @@ pub(super) struct World {
     /// What the controller has put on each pin.
     outputs: Vec<Option<i32>>,
     /// What each pin is driven to by hand. A port that is an output does not show it.
-    hands: Vec<Option<i32>>,
+    hands: Held,
     /// The levels of inputs that are stuck.
-    pub stuck: Vec<Option<i32>>,
+    pub stuck: Held,
     pub traps: Traps,
     pub wire: Wire,
-    /// What the recordings were told of each pin last.
+    /// What the recordings were told of each pin last; empty before the first recording.
     shown: Vec<i32>,
     pub stirred: Stirred,
     watched: Watched,
@@ -136,15 +139,15 @@ impl World {
             clock: 0,
             sent: VecDeque::new(),
             outputs: vec![None; pins.len()],
-            hands: vec![None; pins.len()],
-            stuck: vec![None; pins.len()],
+            hands: Held::default(),
+            stuck: Held::default(),
             traps: Traps::default(),
             wire: Wire::new(clock_hz, seed),
-            shown: vec![0; pins.len()],
+            shown: Vec::new(),
             stirred: Stirred::Pins,
             windows: vec![None; axes.len()],
             recordings: Vec::new(),
-            edges: Vec::with_capacity(contacts.len()),
+            edges: Vec::new(),
             contacts,
         }
     }
@@ -178,7 +181,7 @@ impl World {
     /// machine, else nothing.
     pub fn level(&self, pin: usize) -> i32 {
         let rest = self.pins[pin].rest;
-        if let Some(level) = self.outputs[pin].or(self.stuck[pin]).or(self.hands[pin]) {
+        if let Some(level) = self.outputs[pin].or(self.stuck.level(pin)).or(self.hands.level(pin)) {
             return level;
         }
         if self.pins[pin].kind.is_analog() {
@@ -198,7 +201,7 @@ impl World {
 
     /// Whether the machine, and nobody's hand, decides what is on a pin.
     pub fn is_free(&self, pin: usize) -> bool {
-        self.hands[pin].is_none() && self.stuck[pin].is_none()
+        self.hands.level(pin).is_none() && self.stuck.level(pin).is_none()
     }
 
     /// Whether the clock matters at which an input changes: to the controller, or to a recording. Only
@@ -301,16 +304,16 @@ impl World {
 
     /// Drives an input by hand, or gives it back.
     pub fn drive_input(&mut self, pin: usize, level: Option<i32>) {
-        self.hands[pin] = level;
+        self.hands.set(pin, level);
         self.stirred = Stirred::Pins;
         self.windows.fill(None);
     }
 
     pub fn add_recorder(&mut self, mut recorder: Box<dyn Recorder + Send>) {
         let now = self.now();
-        for pin in 0..self.pins.len() {
-            self.shown[pin] = self.level(pin);
-            recorder.pin(now, pin, self.shown[pin]);
+        self.shown = (0..self.pins.len()).map(|pin| self.level(pin)).collect();
+        for (pin, level) in self.shown.iter().enumerate() {
+            recorder.pin(now, pin, *level);
         }
         let next_sample = recorder.sample_every().map_or(Ticks::MAX, |_| now);
         self.recordings.push(Recording { recorder, next_sample });
@@ -353,7 +356,7 @@ impl World {
 
     /// Tells the recordings what is on a pin, unless they know.
     pub fn record_pin(&mut self, pin: usize, level: i32) {
-        if std::mem::replace(&mut self.shown[pin], level) == level {
+        if !self.is_recording() || std::mem::replace(&mut self.shown[pin], level) == level {
             return;
         }
         let now = self.now();

@@ -3,10 +3,49 @@
 use super::{bounce::Bounce, shaft::Side, zone::Zone};
 use motion::Ticks;
 
+/// Those of a device, by pin.
+#[derive(Debug)]
+pub(crate) struct Contacts {
+    all: Vec<Contact>,
+    /// Where that of each pin is among them: [`NONE`](Self::NONE) for most pins.
+    places: Vec<u8>,
+}
+
+impl Contacts {
+    const NONE: u8 = u8::MAX;
+
+    /// # Panics
+    /// If there are more than a place can tell.
+    pub fn new(pins: impl Iterator<Item = Option<Contact>>) -> Self {
+        let mut all = Vec::new();
+        let places = pins.map(|contact| {
+            let Some(contact) = contact else { return Self::NONE };
+            assert!(all.len() < usize::from(Self::NONE), "places of contacts are bytes");
+            all.push(contact);
+            all.len() as u8 - 1
+        });
+        let places = places.collect();
+        all.shrink_to_fit();
+        Self { all, places }
+    }
+
+    #[inline]
+    pub fn get(&self, pin: usize) -> Option<&Contact> {
+        self.all.get(usize::from(self.places[pin]))
+    }
+
+    #[inline]
+    pub fn get_mut(&mut self, pin: usize) -> Option<&mut Contact> {
+        self.all.get_mut(usize::from(self.places[pin]))
+    }
+}
+
 /// A switch, mark or signal.
 #[derive(Clone, Debug)]
 pub(crate) struct Contact {
     pub mover: Mover,
+    /// Where its shaft was when it was looked at last.
+    pub seen_at: i64,
     /// Whether it is seen off while it is on.
     pub normally_closed: bool,
     /// What it is beside where its axis is now; most contacts are nothing beside.
@@ -33,14 +72,15 @@ struct Memory {
 
 impl Contact {
     pub const fn new(mover: Mover) -> Self {
-        Self { mover, normally_closed: false, memory: None }
+        Self { mover, seen_at: 0, normally_closed: false, memory: None }
     }
 
     /// A switch that a shaft turns on in a zone, and off so far past it.
     pub fn switch(axis: usize, zone: Zone, hysteresis: i64, normally_closed: bool) -> Self {
         let on = zone.is_on(0);
         let memory = (hysteresis > 0).then(|| Box::new(Memory { on, hysteresis, bounce: None }));
-        Self { mover: Mover::Shaft { axis, side: Side::Load, zone }, normally_closed, memory }
+        let mover = Mover::Shaft { axis, side: Side::Load, zone };
+        Self { mover, seen_at: 0, normally_closed, memory }
     }
 
     /// Where along its axis it is on, as long as it stays as it is; `None` for a signal.

@@ -20,7 +20,7 @@ mod zone;
 use crate::config::DeviceConfig;
 use bounce::Bounce;
 pub(crate) use bounce::MAX_BOUNCE_MS;
-use contact::{Contact, Mover};
+use contact::{Contact, Contacts, Mover};
 use devices::{Drive, Pin, Wiring};
 use encoder::Counter;
 use fitting::fitting;
@@ -42,8 +42,8 @@ pub(crate) struct Machine {
     encoders: Vec<(usize, Counter)>,
     /// The servo driver of each axis, if it has one.
     servos: Vec<Option<Servo>>,
-    /// What the pins hang on, in their order.
-    contacts: Vec<Option<Contact>>,
+    /// What pins hang on.
+    contacts: Contacts,
     /// Those of them that have to be told of every change.
     remembering: Vec<usize>,
     /// Analog quantities by pin.
@@ -123,7 +123,7 @@ impl Machine {
     /// When something next happens by itself; [`Ticks::MAX`] if nothing will.
     pub fn due(&self) -> Ticks {
         let in_position = self.servos.iter().flatten().filter_map(Servo::due);
-        let bounces = self.remembering.iter().filter_map(|&pin| Some(self.contacts[pin].as_ref()?.due()));
+        let bounces = self.remembering.iter().filter_map(|&pin| Some(self.contacts.get(pin)?.due()));
         in_position.chain(bounces).min().unwrap_or(Ticks::MAX)
     }
 
@@ -135,7 +135,7 @@ impl Machine {
     /// Whether a contact has opened or closed by `now` without its axis, since this was asked last.
     pub fn take_bounce(&mut self, now: Ticks) -> bool {
         let Self { remembering, contacts, .. } = self;
-        let mut settles = |pin: usize| contacts[pin].as_mut().is_some_and(|contact| contact.settle(now));
+        let mut settles = |pin: usize| contacts.get_mut(pin).is_some_and(|contact| contact.settle(now));
         remembering.iter().any(|&pin| settles(pin))
     }
 
@@ -144,7 +144,7 @@ impl Machine {
         for place in 0..self.remembering.len() {
             let pin = self.remembering[place];
             let on = self.is_moved(pin, now);
-            if let (Some(contact), Some(on)) = (&mut self.contacts[pin], on) {
+            if let (Some(contact), Some(on)) = (self.contacts.get_mut(pin), on) {
                 contact.update(on, now);
             }
         }
@@ -152,17 +152,17 @@ impl Machine {
 
     /// Whether what is on a pin depends on when it changed, so that every change counts.
     pub fn remembers(&self, pin: usize) -> bool {
-        self.contacts[pin].as_ref().is_some_and(Contact::remembers)
+        self.contacts.get(pin).is_some_and(Contact::remembers)
     }
 
     /// Lets the switch at a pin bounce for so long after each change, from the next one on; for as long as it
     /// does by itself if that is longer. Where there is no switch nothing bounces.
     pub fn set_bounce(&mut self, pin: usize, ms: u32, now: Ticks) {
-        let axis = wiring::axis_of_switch(&self.pins[pin], self.contacts[pin].as_ref());
+        let axis = wiring::axis_of_switch(&self.pins[pin], self.contacts.get(pin));
         let ms = ms.max(axis.map_or(0, |axis| self.bounces_ms[axis]));
         let span = Ticks::from(self.clock_hz) * Ticks::from(ms.min(MAX_BOUNCE_MS)) / 1000;
         let bounce = (ms > 0).then(|| Bounce::new(span, Pcg32::new(self.seed, pin as u64)));
-        if let (Some(on), Some(contact)) = (self.is_moved(pin, now), &mut self.contacts[pin]) {
+        if let (Some(on), Some(contact)) = (self.is_moved(pin, now), self.contacts.get_mut(pin)) {
             contact.set_bounce(bounce, on);
         }
         self.remembering.retain(|other| *other != pin);
@@ -262,26 +262,20 @@ impl Machine {
 
     /// Whether a pin is one that an axis moves.
     pub fn hangs_on_axis(&self, pin: usize) -> bool {
-        self.contacts[pin].is_some()
+        self.contacts.get(pin).is_some()
     }
 
     /// Whether the switch, mark or signal at a pin is seen on; `None` if there is none.
     pub fn is_on(&self, pin: usize, now: Ticks) -> Option<bool> {
-        Some(self.contacts[pin].as_ref()?.shown(self.is_moved(pin, now)?))
+        Some(self.contacts.get(pin)?.shown(self.is_moved(pin, now)?))
     }
 
-    /// Where the shaft at a pin is, for [`is_jumped`](Self::is_jumped); 0 where there is none.
-    pub fn place_of(&self, pin: usize) -> i64 {
-        self.zone(pin).map_or(0, |(axis, side, _)| self.axes[axis].position(side))
-    }
-
-    /// Whether on its way from `from` the shaft at a pin passed the zone without standing in it.
-    pub fn is_jumped(&self, pin: usize, from: i64) -> bool {
-        let jumped = |(axis, side, zone): (usize, Side, Zone)| {
-            let shaft: &Shaft = &self.axes[axis];
-            zone.is_jumped(from, shaft.position(side))
-        };
-        self.zone(pin).is_some_and(jumped)
+    /// Whether the shaft at a pin has passed the zone since this was asked last, without standing in it.
+    pub fn take_jump(&mut self, pin: usize) -> bool {
+        let Some((axis, side, zone)) = self.zone(pin) else { return false };
+        let place = self.axes[axis].position(side);
+        let contact = self.contacts.get_mut(pin).expect("a zone is a contact's");
+        zone.is_jumped(std::mem::replace(&mut contact.seen_at, place), place)
     }
 
     /// Where the switch or mark at a pin changes next, below and above, if this axis moves it.
@@ -293,7 +287,7 @@ impl Machine {
 
     /// Whether the next pulse of an axis, whatever its direction, changes a pin.
     pub fn ends_with_pulse(&self, pin: usize, axis: usize, now: Ticks) -> bool {
-        self.contacts[pin].as_ref().is_some_and(|contact| {
+        self.contacts.get(pin).is_some_and(|contact| {
             matches!(contact.mover, Mover::InPosition { axis: mover }
                 if mover == axis && self.is_in_position(axis, now))
         })
@@ -312,12 +306,12 @@ impl Machine {
 
     /// Where along its axis the switch or mark at a pin is on.
     fn zone(&self, pin: usize) -> Option<(usize, Side, Zone)> {
-        self.contacts[pin].as_ref()?.zone()
+        self.contacts.get(pin)?.zone()
     }
 
     /// Whether what moves the contact at a pin holds it on; `None` if there is none.
     fn is_moved(&self, pin: usize, now: Ticks) -> Option<bool> {
-        let contact = self.contacts[pin].as_ref()?;
+        let contact = self.contacts.get(pin)?;
         Some(match (contact.zone(), contact.mover) {
             (Some((axis, side, zone)), _) => zone.is_on(self.axes[axis].position(side)),
             (None, Mover::Shaft { axis, .. } | Mover::InPosition { axis }) => self.is_in_position(axis, now),

@@ -81,7 +81,7 @@ impl MachineTable {
             name: pin.name,
             analog: pin.kind.is_analog(),
             scale: pin.scale,
-            rest: match &machine.contacts[number] {
+            rest: match machine.contacts.get(number) {
                 _ if pin.kind.is_analog() => machine.quantity(number),
                 Some(contact) if contact.normally_closed => 1 - pin.rest,
                 _ => pin.rest,

@@ -1,7 +1,7 @@
 //! What hangs on the pins of a device, from its bench entry.
 
 use super::{
-    contact::{Contact, Mover},
+    contact::{Contact, Contacts, Mover},
     encoder::Counter,
     shaft::Side,
     zone::Zone,
@@ -10,11 +10,7 @@ use crate::config::{AxisConfig, Switch};
 use devices::{Pin, PinKind, Wiring};
 
 /// The contacts by pin.
-pub(super) fn contacts(
-    pins: &[Pin],
-    axes: &[AxisConfig],
-    encoders: &[(usize, Counter)],
-) -> Vec<Option<Contact>> {
+pub(super) fn contacts(pins: &[Pin], axes: &[AxisConfig], encoders: &[(usize, Counter)]) -> Contacts {
     let mut contacts: Vec<_> = pins.iter().map(|pin| contact(pin, axes, encoders)).collect();
     for (axis, config) in axes.iter().enumerate() {
         for cam in &config.cams {
@@ -24,7 +20,7 @@ pub(super) fn contacts(
             contacts[pin] = Some(switch(axis, config, Zone::between(cam.on), cam.normally_closed));
         }
     }
-    contacts
+    Contacts::new(contacts.into_iter())
 }
 
 /// What a pin is made for.
