@@ -275,15 +275,16 @@ impl Mover {
             (Goal::Speed(_, speed), ..) => speed,
             (Goal::Position(_), ..) => self.limits.top,
         };
-        let pulses = match self.wish() {
-            Some(Wish::To(left)) => pulses.min(left),
-            _ => pulses,
-        };
         let fastest = top.max(self.limits.start).max(self.pace.speed);
-        let spacing = self.limits.scale.spacing(fastest);
-        // Ramps round their spacings, and of the first pulse a part may have been made.
-        let spacing = u128::from(spacing - (spacing >> 10));
-        let span = (spacing * u128::from(pulses.saturating_sub(2))) >> FRACTION_BITS;
+        let span = match self.wish() {
+            Some(Wish::To(left)) if left <= pulses => {
+                let now = Now { squared: self.pace.squared, rest: self.rest };
+                plan::least_way(&self.limits, now, left, fastest)
+            }
+            _ => plan::least_cruise(&self.limits, pulses, fastest),
+        };
+        // Ramps round their spacings.
+        let span = (span - (span >> 10)) >> FRACTION_BITS;
         self.since.ticks.saturating_add(span.min(Ticks::MAX.into()) as Ticks)
     }
 

@@ -377,6 +377,31 @@ pub(crate) fn foot(limits: &Limits, now: Now, wish: Wish) -> Option<(Key, Piece,
     Some((key, piece, run))
 }
 
+/// Pulses that do not count when a time is to be the least: of the first one a part may have been made, and those
+/// that braking takes are rounded up.
+const UNCOUNTED: u64 = 2;
+
+/// The least time in which an axis that is never faster than `fastest` makes so many pulses, in parts of a clock.
+pub(crate) fn least_cruise(limits: &Limits, pulses: u64, fastest: Speed) -> u128 {
+    u128::from(limits.scale.spacing(fastest)) * u128::from(pulses.saturating_sub(UNCOUNTED))
+}
+
+/// The least time in which it makes so many and stands.
+pub(crate) fn least_way(limits: &Limits, now: Now, pulses: u64, fastest: Speed) -> u128 {
+    let ceiling = |pulses: u64| limits.ceiling(Distance::Pulses(pulses << 32));
+    // Whoever is not above the ceiling never will be.
+    let is_above = now.squared > ceiling(pulses).saturating_add(limits.slack(now.squared));
+    if limits.shape != Shape::Trapezoid || is_above {
+        return least_cruise(limits, pulses, fastest);
+    }
+    let scale = limits.scale;
+    let span = |spacing: SubTicks, pulses: u64| u128::from(spacing) * u128::from(pulses);
+    let pulses = pulses.saturating_sub(UNCOUNTED);
+    let braking = limits.braking_pulses(square(fastest)).min(pulses);
+    let from = root(ceiling(braking).min(square(fastest)));
+    span(scale.spacing(fastest), pulses - braking) + span(scale.mean_spacing(from, limits.stop), braking)
+}
+
 /// `growth` over a part of a pulse in 2⁻³².
 fn part(growth: Growth, rest: u64) -> u64 {
     ((u128::from(growth) * u128::from(rest)) >> 32) as u64
