@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-BXzAKLd4.js";import"./curves-C4m_Nspl.js";import{t as r}from"./tab-BFTOJwHk.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
