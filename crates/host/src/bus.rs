@@ -123,6 +123,11 @@ impl Talk<'_> {
 pub struct Wires(Mutex<BTreeMap<String, (Weak<Line>, TrafficLog)>>);
 
 impl Wires {
+    /// None is open.
+    pub const fn new() -> Self {
+        Self(Mutex::const_new(BTreeMap::new()))
+    }
+
     /// The wire of this name. It is opened unless somebody has it open and it works.
     ///
     /// # Errors

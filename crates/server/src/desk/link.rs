@@ -6,7 +6,7 @@ use devices::{
     Port,
     guide::{BitKind, Guide, StatusBit},
 };
-use host::{Bit, Bus, Controller, Error, Settings, WireError};
+use host::{Bit, Bus, Controller, Error, Settings, WireError, Wires};
 use serde::Serialize;
 use std::{fmt, io, str::FromStr, sync::Arc};
 use tokio::sync::{Mutex, watch};
@@ -85,13 +85,19 @@ impl fmt::Display for Place {
     }
 }
 
+/// The wires to real controllers, which are the whole process': a serial port opens once, whoever hangs on it.
+static WIRES: Wires = Wires::new();
+
 impl Place {
-    /// The wire there, opened.
+    /// The wire there, opened unless it is open.
     pub async fn open(&self) -> io::Result<Bus> {
-        Ok(match self {
-            Self::Serial { path, baud } => Bus::new(host::serial(path, *baud)?),
-            Self::Tcp { address } => Bus::new(host::tcp(address).await?),
-        })
+        let open = async || {
+            io::Result::Ok(match self {
+                Self::Serial { path, baud } => Bus::new(host::serial(path, *baud)?),
+                Self::Tcp { address } => Bus::new(host::tcp(address).await?),
+            })
+        };
+        WIRES.open(&self.to_string(), open).await
     }
 }
 
