@@ -133,7 +133,7 @@ class MachineView extends Tab {
         <div class="row"><h2>Machine</h2>
           <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
         <div>
-          ${Object.entries(this.machine.axes).map(([name, axis]) => html`
+          ${this.#inOrder().map(([name, axis]) => html`
             <div class="axis">
               <div class="row head"><strong>${name}</strong>
                 <span class="muted">shaft ${count(axis.shaft)} · counter ${count(this.live.status?.axes[name]?.position)}
@@ -146,6 +146,14 @@ class MachineView extends Tab {
         </div>
       </section>
     `;
+  }
+
+  /** The axes in the order of the controller, not of the alphabet. */
+  #inOrder(): [string, MachineAxis][] {
+    return this.catalog.axes.flatMap((name) => {
+      const axis = this.machine?.axes[name];
+      return axis ? [[name, axis] as [string, MachineAxis]] : [];
+    });
   }
 
   #stage(name: string, axis: MachineAxis) {

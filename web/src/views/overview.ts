@@ -236,7 +236,7 @@ class Overview extends LitElement {
           <tr><th>Axis</th><th class="number">Position</th><th class="number">Speed</th><th>State</th></tr>
         </thead>
         <tbody>
-          ${Object.entries(status.axes).map(
+          ${inOrder(status.axes).map(
             ([name, axis]: [string, AxisStatus]) => html`
               <tr>
                 <td><strong>${name}</strong></td>
@@ -264,3 +264,9 @@ class Overview extends LitElement {
   }
 }
 customElements.define("pt-overview", Overview);
+
+/** X, Y, Z, U: the order of the controllers, not of the alphabet. */
+function inOrder(axes: Status["axes"]): [string, AxisStatus][] {
+  const place = (name: string) => "0XYZU".indexOf(name);
+  return Object.entries(axes).sort(([one], [other]) => place(one) - place(other));
+}
