@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-BmX3QcAd.js";import{n as p,t as m}from"./hold-CCns7Efe.js";import{t as h}from"./tab-DfJw2Gr6.js";import"./curves-DdFCq3bS.js";import{t as g}from"./axis-picker-C7V7kZh8.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-CQeJvkbn.js";import{n as p,t as m}from"./hold-BU0FOtox.js";import{t as h}from"./tab-CGicRCGU.js";import"./curves-DxPkVWVk.js";import{t as g}from"./axis-picker-BFBhnbzC.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;

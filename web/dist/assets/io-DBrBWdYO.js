@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-BmX3QcAd.js";import{t as p}from"./tab-DfJw2Gr6.js";import{t as m}from"./axis-picker-C7V7kZh8.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
+import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-CQeJvkbn.js";import{t as p}from"./tab-CGicRCGU.js";import{t as m}from"./axis-picker-BFBhnbzC.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -227,29 +227,29 @@ import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s a
     stroke: var(--accent);
     stroke-width: 3;
   }
-`,H=80,U=.35,W=88,G=38,K=172,q=48,J=5,Y=[`negative limit`,`home`,`positive limit`],X={"negative limit":`−L`,home:`H`,"positive limit":`+L`},Z=class extends p{static properties={...p.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[c,V];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#x()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=o(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:H))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(B(t,e.role,e.at)!==z(t,e.role))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*U;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${F(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(I(e,t)*360).toFixed(2)})`}render(){return this.machine?f`
+`,H=80,U=.35,W=88,G=38,K=172,q=48,J=5,Y=[`negative limit`,`home`,`positive limit`],X={"negative limit":`−L`,home:`H`,"positive limit":`+L`},Z=class extends p{static properties={...p.properties,machine:{state:!0},width:{state:!0},drag:{state:!0},problem:{state:!0}};watches=[`status`];#e=0;#t=0;#n=new Map;#r=new ResizeObserver(([e])=>{e&&e.contentRect.width>0&&(this.width=e.contentRect.width)});static styles=[c,V];constructor(){super(),this.machine=null,this.width=600,this.drag=null,this.problem=null}connectedCallback(){super.connectedCallback(),this.#i(),this.#o()}disconnectedCallback(){super.disconnectedCallback(),clearTimeout(this.#e),cancelAnimationFrame(this.#t),this.#r.disconnect(),this.#S()}firstUpdated(){this.#r.observe(this)}async#i(){if(this.active&&!document.hidden)try{this.machine=await this.api.machine(this.device.name),this.problem=null,this.#a()}catch(e){this.problem=o(e)}this.isConnected&&(this.#e=window.setTimeout(()=>void this.#i(),this.problem?1e3:H))}#a(){let{drag:e}=this,t=e&&this.machine?.axes[e.axis];e&&t&&e.press.set(B(t,e.role,e.at)!==z(t,e.role))}#o(){this.#t=requestAnimationFrame(()=>{if(this.#o(),this.active&&this.machine)for(let[e,t]of Object.entries(this.machine.axes)){let n=this.#n.get(e)??t.shaft,r=t.shaft-n,i=Math.abs(r)<.5?t.shaft:n+r*U;this.#n.set(e,i),this.renderRoot.querySelector(`[data-shaft="${e}"]`)?.setAttribute(`transform`,this.#s(t,i))}})}#s(e,t){return e.circumference===null?`translate(${F(e,this.width).x(t).toFixed(2)} 0)`:`rotate(${(I(e,t)*360).toFixed(2)})`}render(){return this.machine?f`
       <section class="panel stack" aria-label="Machine">
         <div class="row"><h2>Machine</h2>
           <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
         <div>
-          ${Object.entries(this.machine.axes).map(([e,t])=>f`
+          ${this.#c().map(([e,t])=>f`
             <div class="axis">
               <div class="row head"><strong>${e}</strong>
                 <span class="muted">shaft ${l(t.shaft)} · counter ${l(this.live.status?.axes[e]?.position)}
                   ${t.index_every?`· an index mark every ${l(t.index_every)}`:r}
                   ${t.backlash?`· backlash ${l(t.backlash)}`:r}</span>
               </div>
-              ${t.circumference===null?this.#c(e,t):this.#u(e,t)}
+              ${t.circumference===null?this.#l(e,t):this.#d(e,t)}
               <pt-by-hand .axis=${e} .load=${t.load} ${this.given()}></pt-by-hand>
             </div>`)}
         </div>
       </section>
     `:f`<section class="panel"><h2>Machine</h2>
-        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(e,n){let i=F(n,this.width),a=n.backlash*i.perPulse;return f`
+        <p class=${this.problem?`error-text`:`muted`}>${this.problem??`Loading…`}</p></section>`}#c(){return this.catalog.axes.flatMap(e=>{let t=this.machine?.axes[e];return t?[[e,t]]:[]})}#l(e,n){let i=F(n,this.width),a=n.backlash*i.perPulse;return f`
       <svg viewBox="0 0 ${this.width} ${W}" height=${W} role="group"
         aria-label="Stage of axis ${e}, from ${n.negative_limit??`no limit`} to ${n.positive_limit??`no limit`}">
         <line class="rail" x1=${i.margin} x2=${this.width-i.margin} y1=${G} y2=${G} />
-        ${this.#l(n,i)}
+        ${this.#u(n,i)}
         ${n.home?t`<rect class="home" x=${i.x(n.home[0])} y=${35} height="6" rx="1"
               width=${Math.max(3,i.x(n.home[1])-i.x(n.home[0]))} />`:r}
         <g data-shaft=${e} transform=${this.#s(n,this.#n.get(e)??n.shaft)}>
@@ -257,9 +257,9 @@ import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s a
           <rect class="carriage" x="-14" y=${8} width="28" height="24" rx="4" />
           <path class="carriage" d="M -5 ${31} L 5 ${31} L 0 ${37} Z" />
         </g>
-        ${Y.map(t=>this.#d(e,n,t,i))}
+        ${Y.map(t=>this.#f(e,n,t,i))}
       </svg>
-    `}#l(e,n){let i=e.index_every;if(!i||i*n.perPulse<J)return r;let a=Math.ceil(n.low/i),o=Math.floor(n.high/i)-a+1;return Array.from({length:o},(e,r)=>{let o=n.x((a+r)*i);return t`<line class="mark" x1=${o} x2=${o} y1=${42} y2=${48} />`})}#u(e,n){let{width:i}=this,a=n.index_every??0,o=a>0?Math.min(360,Math.floor(n.circumference/a)):0;return f`
+    `}#u(e,n){let i=e.index_every;if(!i||i*n.perPulse<J)return r;let a=Math.ceil(n.low/i),o=Math.floor(n.high/i)-a+1;return Array.from({length:o},(e,r)=>{let o=n.x((a+r)*i);return t`<line class="mark" x1=${o} x2=${o} y1=${42} y2=${48} />`})}#d(e,n){let{width:i}=this,a=n.index_every??0,o=a>0?Math.min(360,Math.floor(n.circumference/a)):0;return f`
       <svg viewBox="${-i/2} ${-86} ${i} ${K}" height=${K} role="group"
         aria-label="Shaft of axis ${e}, ${n.circumference} to the turn">
         <circle class="rail" r=${q} />
@@ -268,21 +268,21 @@ import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s a
         <g data-shaft=${e} transform=${this.#s(n,this.#n.get(e)??n.shaft)}>
           <line class="hand" y1="8" y2=${-41} /><circle class="carriage" r="7" />
         </g>
-        ${Y.map(t=>this.#f(e,n,t))}
+        ${Y.map(t=>this.#p(e,n,t))}
         <text x=${92} y="4">${l(n.circumference)} a turn</text>
       </svg>
-    `}#d(e,n,i,a){let o=R(n,i);if(o===null||!this.#g(e,i))return r;let s=a.x(this.#h(e,i)??o);return this.#p(e,i,`translate(${s} 62)`,e=>a.pulse(this.#m(e)),t`
+    `}#f(e,n,i,a){let o=R(n,i);if(o===null||!this.#_(e,i))return r;let s=a.x(this.#g(e,i)??o);return this.#m(e,i,`translate(${s} 62)`,e=>a.pulse(this.#h(e)),t`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${X[i]}</text>`,t`<text y="24">${l(o)}</text>`)}#f(e,n,i){let a=R(n,i);if(a===null||!this.#g(e,i))return r;let o=I(n,this.#h(e,i)??a)*2*Math.PI,s=`translate(${Math.sin(o)*66} ${-Math.cos(o)*66})`;return this.#p(e,i,s,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},t`<circle class="body" r="12" /><text y="4">${X[i]}</text>`,r)}#p(e,n,r,i,a,o){let s=this.#_(e,n),c=t=>{(t.key===` `||t.key===`Enter`)&&(t.preventDefault(),t.repeat||(t.type===`keydown`?this.#b(e,n):this.#x()))};return t`
+      <text y="4">${X[i]}</text>`,t`<text y="24">${l(o)}</text>`)}#p(e,n,i){let a=R(n,i);if(a===null||!this.#_(e,i))return r;let o=I(n,this.#g(e,i)??a)*2*Math.PI,s=`translate(${Math.sin(o)*66} ${-Math.cos(o)*66})`;return this.#m(e,i,s,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},t`<circle class="body" r="12" /><text y="4">${X[i]}</text>`,r)}#m(e,n,r,i,a,o){let s=this.#v(e,n),c=t=>{(t.key===` `||t.key===`Enter`)&&(t.preventDefault(),t.repeat||(t.type===`keydown`?this.#x(e,n):this.#S()))};return t`
       <g class="switch ${s?`on`:``} ${n===`home`?``:`limit`}" transform=${r} tabindex="0" role="button"
         aria-label="${n} switch of ${e}, ${s?`on`:`off`}" aria-pressed=${s?`true`:`false`}
-        @pointerdown=${t=>this.#v(t,e,n,i(t))}
-        @pointermove=${t=>this.#y(e,n,()=>i(t))}
-        @pointerup=${()=>this.#x()} @pointercancel=${()=>this.#x()} @lostpointercapture=${()=>this.#x()}
-        @keydown=${c} @keyup=${c} @blur=${()=>this.#x()}>
+        @pointerdown=${t=>this.#y(t,e,n,i(t))}
+        @pointermove=${t=>this.#b(e,n,()=>i(t))}
+        @pointerup=${()=>this.#S()} @pointercancel=${()=>this.#S()} @lostpointercapture=${()=>this.#S()}
+        @keydown=${c} @keyup=${c} @blur=${()=>this.#S()}>
         <rect class="hit" x="-23" y="-20" width="46" height="46" />${a} ${o}
       </g>
-    `}#m(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#h(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#g(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#_(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#v(e,t,n,r){let i=this.#g(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new A(this.api,this.device.name,i)},this.#a())}#y(e,t,n){this.#h(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#b(e,t){let n=this.#g(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new A(this.api,this.device.name,n)},this.#a())}#x(){this.drag?.press.set(!1),this.drag=null}};customElements.define(`pt-machine`,Z);var Q=class extends p{static properties={...p.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[c,e`
+    `}#h(e){return e.clientX-e.currentTarget.ownerSVGElement.getBoundingClientRect().x}#g(e,t){let{drag:n}=this;return n?.axis===e&&n.role===t?n.at:null}#_(e,t){return this.catalog.pins.find(n=>n.axis===e&&n.role===t)?.name??null}#v(e,t){let n=this.live.status?.axes[e];return{"negative limit":n?.negative_limit,"positive limit":n?.positive_limit,home:n?.home}[t]??!1}#y(e,t,n,r){let i=this.#_(t,n);e.button===0&&i&&this.usable&&(e.currentTarget.setPointerCapture(e.pointerId),this.drag={axis:t,role:n,at:r,press:new A(this.api,this.device.name,i)},this.#a())}#b(e,t,n){this.#g(e,t)!==null&&(this.drag={...this.drag,at:n()},this.#a())}#x(e,t){let n=this.#_(e,t),r=this.machine?.axes[e]?.shaft;n&&r!==void 0&&this.usable&&(this.drag={axis:e,role:t,at:r,press:new A(this.api,this.device.name,n)},this.#a())}#S(){this.drag?.press.set(!1),this.drag=null}};customElements.define(`pt-machine`,Z);var Q=class extends p{static properties={...p.properties,keep:{state:!0},driven:{state:!0}};watches=[`status`];#e=new Map;#t=new Map;static styles=[c,e`
       .tiles {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(104px, 1fr));
