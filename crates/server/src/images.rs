@@ -23,7 +23,8 @@ const LOCK_FILE: &str = ".lock";
 pub(crate) struct Images {
     directory: Option<PathBuf>,
     images: Arc<Mutex<Vec<Image>>>,
-    _lock: Option<Arc<File>>,
+    /// Others may use the directory once it is released, whoever still has a clone.
+    lock: Arc<Mutex<Option<File>>>,
 }
 
 /// One device's memory and the file it goes to.
@@ -49,7 +50,7 @@ impl Images {
                 Err(TryLockError::Error(source)) => Err(failed(source)),
             }
         });
-        Ok(Self { directory, images: Arc::default(), _lock: lock.transpose()?.map(Arc::new) })
+        Ok(Self { directory, images: Arc::default(), lock: Arc::new(Mutex::new(lock.transpose()?)) })
     }
 
     /// The memory of a device, as its file has it.
@@ -93,6 +94,11 @@ impl Images {
     pub fn save(&self) -> Result<(), Error> {
         let results: Vec<_> = self.images().iter_mut().map(Image::save).collect();
         Ok(results.into_iter().collect::<Result<(), _>>()?)
+    }
+
+    /// Gives the directory up.
+    pub fn release(&self) {
+        drop(self.lock.lock().unwrap_or_else(PoisonError::into_inner).take());
     }
 
     fn images(&self) -> MutexGuard<'_, Vec<Image>> {

@@ -251,6 +251,7 @@ impl Server {
             let _ = thread.join();
         }
         let mut result = self.images.save();
+        self.images.release();
         for unit in self.units {
             result = result.and(unit.finish_recordings().map_err(Into::into));
         }
