@@ -147,7 +147,7 @@ fn a_real_one_by_tcp() {
     };
     assert_eq!(sample["samples"]["seconds"].as_array().unwrap().len(), 1);
     let only = "`stage` is a real controller: only virtual ones have this";
-    for path in ["machine", "pins/DI1", "faults", "debug", "stream"] {
+    for path in ["machine", "pins/DI1", "faults", "debug"] {
         rig.refused("GET", &format!("stage/{path}"), "", 409, only);
     }
     rig.refused("POST", "stage/power-cycle", "", 409, only);
