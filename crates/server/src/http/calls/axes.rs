@@ -9,7 +9,7 @@ use serde_json::Value;
 /// In parts of the pull-out torque at full current.
 #[utoipa::path(
     put, path = "/api/devices/{device}/axes/{axis}/load", tag = "machine",
-    request_body = f64, responses((status = 204))
+    request_body(content = f64, content_type = "application/json"), responses((status = 204))
 )]
 pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
     let (name, axis) = at(place)?;
@@ -23,7 +23,7 @@ pub async fn set_load(State(site): Shared, place: Place<(String, String)>, body:
 /// Push the shaft by a number of pulses
 #[utoipa::path(
     post, path = "/api/devices/{device}/axes/{axis}/push", tag = "machine",
-    request_body = i64, responses((status = 204))
+    request_body(content = i64, content_type = "application/json"), responses((status = 204))
 )]
 pub async fn push(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
     let (name, axis) = at(place)?;
@@ -36,7 +36,7 @@ pub async fn push(State(site): Shared, place: Place<(String, String)>, body: Bod
 /// Have the motor lose a number of pulses
 #[utoipa::path(
     post, path = "/api/devices/{device}/axes/{axis}/lose", tag = "machine",
-    request_body = u64, responses((status = 204))
+    request_body(content = u64, content_type = "application/json"), responses((status = 204))
 )]
 pub async fn lose(State(site): Shared, place: Place<(String, String)>, body: Body) -> Answer<StatusCode> {
     let (name, axis) = at(place)?;
@@ -50,7 +50,7 @@ pub async fn lose(State(site): Shared, place: Place<(String, String)>, body: Bod
 /// Turn the hand wheel of an axis by a number of counts
 #[utoipa::path(
     post, path = "/api/devices/{device}/mpg/{axis}", tag = "machine",
-    request_body = i64, responses((status = 204))
+    request_body(content = i64, content_type = "application/json"), responses((status = 204))
 )]
 pub async fn turn_pulser(
     State(site): Shared,
