@@ -88,17 +88,22 @@ impl<'a> Asked<'a> {
 
     pub(crate) fn tokens(&self) -> SemanticTokens {
         let mut data = Vec::new();
-        let (mut line, mut character) = (0, 0);
+        let source = self.source();
+        // Where the piece before began.
+        let (mut line, mut byte) = (1, 0);
         for Token { span, kind, defines } in self.program().tokens() {
-            let start = self.encoding.position(self.source(), span.start);
-            let delta_line = start.line - line;
-            let delta_start = start.character - if delta_line == 0 { character } else { 0 };
-            (line, character) = (start.line, start.character);
+            let own_line = source.line(span.start);
+            let delta_line = (own_line - line) as u32;
+            if delta_line > 0 {
+                (line, byte) = (own_line, source.line_span(own_line).start);
+            }
+            let delta_start = self.encoding.count(source.slice(&(byte..span.start)));
+            byte = span.start;
             let readonly = if kind == TokenKind::Constant { READONLY } else { 0 };
             data.push(SemanticToken {
                 delta_line,
                 delta_start,
-                length: self.encoding.count(self.source().slice(&span)),
+                length: self.encoding.count(source.slice(&span)),
                 token_type: kind as u32,
                 token_modifiers_bitset: readonly | if defines { DEFINITION } else { 0 },
             });

@@ -26,7 +26,7 @@ mod text;
 mod tmcl;
 pub mod uri;
 
-pub use server::{MAX_DOCUMENTS, Server};
+pub use server::{MAX_DOCUMENTS, MAX_TEXT_BYTES, Server};
 
 /// Where files are that no editor has opened: what a source includes.
 pub trait Files {

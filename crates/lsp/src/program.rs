@@ -6,6 +6,9 @@ use devices::{Language, Model};
 use source::{MAX_SOURCE_BYTES, Source, Span};
 use std::collections::BTreeMap;
 
+/// Longest line that is looked at: work and memory grow with the square of it.
+const MAX_LINE_BYTES: usize = 4096;
+
 /// What a text is written in.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Tongue {
@@ -236,16 +239,20 @@ impl Surroundings<'_> {
 
 /// Reads a text.
 pub(crate) fn read(source: &Source, tongue: Option<Tongue>, around: &Surroundings<'_>) -> Box<dyn Program> {
+    let refused = |at: usize, message| {
+        Box::new(Unread(Some(Finding { span: at..at, is_error: true, code: None, message })))
+    };
+    let Some(tongue) = tongue else { return Box::new(Unread(None)) };
+    if source.text.len() > MAX_SOURCE_BYTES {
+        return refused(0, format!("a source file has at most {MAX_SOURCE_BYTES} bytes"));
+    }
+    let mut lines = (1..=source.line_count()).map(|line| source.line_span(line));
+    if let Some(long) = lines.find(|line| line.len() > MAX_LINE_BYTES) {
+        return refused(long.start, format!("a line has at most {MAX_LINE_BYTES} bytes here"));
+    }
     match tongue {
-        None => Box::new(Unread(None)),
-        Some(_) if source.text.len() > MAX_SOURCE_BYTES => Box::new(Unread(Some(Finding {
-            span: 0..0,
-            is_error: true,
-            code: None,
-            message: format!("a source file has at most {MAX_SOURCE_BYTES} bytes"),
-        }))),
-        Some(Tongue::Tmcl) => Box::new(tmcl::read(source, around)),
-        Some(Tongue::Ascript(dialect)) => Box::new(ascript::read(source, dialect)),
+        Tongue::Tmcl => Box::new(tmcl::read(source, around)),
+        Tongue::Ascript(dialect) => Box::new(ascript::read(source, dialect)),
     }
 }
 

@@ -11,10 +11,11 @@ use crate::{
         Diagnostic, DidChangeConfigurationParams, DidChangeTextDocumentParams, DidCloseTextDocumentParams,
         DidOpenTextDocumentParams, DocumentFormattingRequest, DocumentHighlightRequest,
         DocumentSymbolRequest, Error, ErrorCodes, FoldingRangeRequest, HoverRequest, Id, Incoming,
-        InitializeParams, InitializeResult, LspNotificationMethod, LspRequestMethod, PrepareRenameRequest,
-        PublishDiagnosticsNotification, PublishDiagnosticsParams, ReferencesRequest, RenameRequest, Request,
-        RequestObject, ResponseObject, SemanticTokensRequest, ServerInfo, SignatureHelpRequest,
-        TextDocumentContentChangeEvent, TextDocumentPositionParams, Uri, error, read,
+        InitializeParams, InitializeResult, LspNotificationMethod, LspRequestMethod, MessageType,
+        PrepareRenameRequest, PublishDiagnosticsNotification, PublishDiagnosticsParams, ReferencesRequest,
+        RenameRequest, Request, RequestObject, ResponseObject, SemanticTokensRequest, ServerInfo,
+        ShowMessageNotification, ShowMessageParams, SignatureHelpRequest, TextDocumentContentChangeEvent,
+        TextDocumentPositionParams, Uri, error, read,
     },
     text::Encoding,
     uri,
@@ -25,7 +26,10 @@ use source::Source;
 use std::collections::BTreeMap;
 
 /// Most documents that are open at a time; what is opened beyond is not looked at.
-pub const MAX_DOCUMENTS: usize = 256;
+pub const MAX_DOCUMENTS: usize = 64;
+
+/// Most bytes that they have together; what goes beyond is not looked at.
+pub const MAX_TEXT_BYTES: usize = 4 << 20;
 
 /// The section of an editor's settings that is ours.
 const SECTION: &str = "pulsetrain";
@@ -234,9 +238,9 @@ impl Server {
 
     fn initialize(&mut self, params: &InitializeParams) -> InitializeResult {
         self.phase = Phase::Running;
-        if let Some(options) = &params.initialization_options {
-            self.set_model(options);
-        }
+        let chosen = params.initialization_options.as_ref().and_then(|options| self.chosen(options));
+        self.default_model = chosen.or(self.default_model);
+        self.model = self.default_model;
         let client = &params.capabilities;
         let offered = client.general.as_ref().and_then(|general| general.position_encodings.as_deref());
         self.encoding = Encoding::choose(offered.unwrap_or_default());
@@ -268,26 +272,27 @@ impl Server {
         if let Some(settings) =
             settings.and_then(|settings| settings.get(0)).filter(|value| value.is_object())
         {
-            self.set_model(settings);
+            self.model = self.chosen(settings).or(self.default_model);
             self.read_again(|_| true);
         }
     }
 
-    /// The model that settings name. One that does not exist is none.
-    fn set_model(&mut self, settings: &Value) {
-        let named = settings.get("model").and_then(Value::as_str).filter(|name| !name.is_empty());
-        self.model = match named {
-            Some(name) => MODELS.iter().find(|model| model.name == name),
-            None => self.default_model,
-        };
+    /// The model that settings name, if there is such a one; if not, that is said.
+    fn chosen(&mut self, settings: &Value) -> Option<&'static Model> {
+        let name = settings.get("model").and_then(Value::as_str).filter(|name| !name.is_empty())?;
+        let found = MODELS.iter().find(|model| model.name == name);
+        if found.is_none() {
+            let known: Vec<_> = MODELS.iter().map(|model| model.name).collect();
+            let message = format!("unknown model `{name}`, known: {}", known.join(", "));
+            let params = ShowMessageParams { kind: MessageType::Warning, message };
+            self.send(&RequestObject::from_notification::<ShowMessageNotification>(params));
+        }
+        found
     }
 
     fn open(&mut self, params: DidOpenTextDocumentParams) {
         let item = params.text_document;
-        let uri = item.uri.0;
-        if self.documents.len() < MAX_DOCUMENTS || self.documents.contains_key(&uri) {
-            self.read(uri, item.language_id.to_string(), item.version, &item.text);
-        }
+        self.read(item.uri.0, item.language_id.to_string(), item.version, &item.text);
     }
 
     fn change(&mut self, params: DidChangeTextDocumentParams) {
@@ -315,6 +320,10 @@ impl Server {
     /// Reads a document, says what there is to say about it, and about those that include it.
     fn read(&mut self, uri: String, language: String, version: i32, text: &str) {
         self.documents.remove(&uri);
+        let others: usize = self.documents.values().map(|document| document.source.text.len()).sum();
+        if self.documents.len() == MAX_DOCUMENTS || others + text.len() > MAX_TEXT_BYTES {
+            return self.publish(&uri, None, Vec::new());
+        }
         let source = Source::new(uri.clone(), text.as_bytes());
         self.understand(uri.clone(), language, version, source);
         self.read_again(|document| document.includes(&uri));

@@ -20,6 +20,7 @@ use ::ascript::{
 };
 use devices::{Language, MODELS};
 use source::{Source, Span};
+use std::collections::BTreeSet;
 
 /// The compiler takes off one byte order mark. This one is for it, so that places are those of the text.
 const MARK: &str = "\u{FEFF}";
@@ -87,12 +88,10 @@ fn names_in(source: &Source, lines: &[Tokens]) -> Vec<Name> {
             let Ok(value) = source.slice(number).parse::<u32>() else { continue };
             let is_variable = index == Index::Variable;
             // A variable gets a value where it stands before `=` at the beginning of a line.
-            let defines = match tokens.get(2) {
-                Some((Piece::Equals, _)) => at == 0,
-                _ => !is_variable,
-            };
+            let assigned = at == 0 && matches!(tokens.get(2), Some((Piece::Equals, _)));
+            let defines = begins && (assigned || !is_variable);
             let span = if is_variable { word.start..number.end } else { number.clone() };
-            names.push(Name { key: key(index, value), file: 0, span, defines: begins && defines });
+            names.push(Name { key: key(index, value), file: 0, span, defines });
         }
     }
     names
@@ -155,6 +154,8 @@ impl Program for Ascript {
     }
 
     fn tokens(&self) -> Vec<Token> {
+        let defined: BTreeSet<usize> =
+            self.names.iter().filter(|name| name.defines).map(|name| name.span.start).collect();
         let mut tokens = Vec::new();
         for line in &self.tokens {
             let mut pieces = &line.tokens[..];
@@ -180,7 +181,7 @@ impl Program for Ascript {
                     _ => None,
                 };
                 if let Some(kind) = kind {
-                    let defines = self.names.iter().any(|name| name.defines && name.span == span);
+                    let defines = defined.contains(&span.start);
                     tokens.push(Token { span, kind, defines });
                 }
             }

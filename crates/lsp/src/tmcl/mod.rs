@@ -136,7 +136,9 @@ impl Tmcl {
 
     /// What a name is defined as.
     fn definition(&self, name: &str) -> Option<&Definition> {
-        self.assembly.definitions.iter().find(|definition| definition.name == name)
+        let definitions = &self.assembly.definitions;
+        let at = definitions.binary_search_by(|definition| definition.name.as_str().cmp(name)).ok()?;
+        Some(&definitions[at])
     }
 
     /// Whether a file is one of those that need not be there.

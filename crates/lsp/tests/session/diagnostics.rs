@@ -1,7 +1,7 @@
 //! Errors and warnings while a program is typed.
 
 use crate::editor::Editor;
-use lsp::Files;
+use lsp::{Files, MAX_DOCUMENTS, MAX_TEXT_BYTES};
 use serde_json::json;
 
 const MAIN: &str = "file:///project/main.tmc";
@@ -84,7 +84,24 @@ fn places_are_in_the_editors_units() {
 fn a_source_is_as_long_as_the_compiler_reads() {
     let long = "STOP\n".repeat((1 << 20) / 5 + 1);
     check(None, MAIN, &long, &["0:0-0:0 error a source file has at most 1048576 bytes"]);
+    let long = format!("STOP\n{}\n", "a: ".repeat(2000));
+    check(None, MAIN, &long, &["1:0-1:0 error a line has at most 4096 bytes here"]);
     check(None, "file:///readme", "hello", &[]);
+}
+
+#[test]
+fn so_many_documents_are_looked_at() {
+    let mut editor = Editor::new(None);
+    for number in 0..MAX_DOCUMENTS + 1 {
+        editor.open(&format!("file:///{number}.tmc"), "A");
+    }
+    let last = format!("file:///{MAX_DOCUMENTS}.tmc");
+    assert_eq!((editor.marked("file:///0.tmc").len(), editor.marked(&last).len()), (1, 0));
+    editor.close("file:///0.tmc");
+    editor.open(&last, "A");
+    assert_eq!(editor.marked(&last).len(), 1);
+    editor.change(&last, &" ".repeat(MAX_TEXT_BYTES));
+    assert_eq!(editor.marked(&last).len(), 0);
 }
 
 /// Files of a project.

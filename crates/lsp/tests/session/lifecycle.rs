@@ -71,9 +71,13 @@ fn settings_choose_the_model() {
     let settings = |model: &str| json!({"settings": {"pulsetrain": {"model": model}}});
     editor.notify("workspace/didChangeConfiguration", &settings("pmx-2ed"));
     assert!(!right(&editor));
-    // A model that does not exist is none.
+    editor.notify("workspace/didChangeConfiguration", &settings("cmd-4cr"));
+    assert!(right(&editor) && editor.asked.is_empty());
+    // A model that does not exist is that of the command line.
     editor.notify("workspace/didChangeConfiguration", &settings("pmx"));
-    assert!(right(&editor));
+    assert!(!right(&editor));
+    let warning = editor.asked.pop().expect("a warning");
+    assert_eq!(warning["params"]["message"], "unknown model `pmx`, known: pd42-1140, pmx-2ed, cmd-4cr");
     editor.notify("workspace/didChangeConfiguration", &json!({"settings": null}));
     assert_eq!(editor.asked.len(), 1);
 }

@@ -1,5 +1,6 @@
 //! Conversations with the server, as editors have them.
 
+mod anything;
 mod ascript;
 mod diagnostics;
 mod editor;

@@ -4,7 +4,7 @@ use super::diagnostic::{Diagnostic, Severity};
 use super::load::{Loader, Placed};
 use super::parser::{Expression, Node, Span, Statement};
 use super::symbols::{Definition, Entry, Reason, Symbols, ValueError};
-use super::{Assembly, Environment, Place, Program, RAW_MNEMONIC, Symbol};
+use super::{Assembly, Environment, MAX_MESSAGES, Place, Program, RAW_MNEMONIC, Symbol};
 use crate::isa::{self, Command, Field, Operand, PROGRAM_LENGTH, Role, opcode};
 use source::Source;
 use source::nearest;
@@ -19,6 +19,8 @@ pub(super) fn assemble(name: &str, source: &[u8], environment: &dyn Environment)
     let mut assembler = Assembler {
         environment,
         sources,
+        // All that was said is an error.
+        failed: !diagnostics.is_empty(),
         diagnostics,
         symbols: Symbols::default(),
         program: Program::default(),
@@ -33,6 +35,8 @@ struct Assembler<'a> {
     environment: &'a dyn Environment,
     sources: Vec<Source>,
     diagnostics: Vec<Diagnostic>,
+    /// Whether there is an error, reported or beyond the bound.
+    failed: bool,
     symbols: Symbols,
     program: Program,
     too_long: bool,
@@ -40,6 +44,10 @@ struct Assembler<'a> {
 
 impl Assembler<'_> {
     fn report(&mut self, severity: Severity, file: usize, span: Span, message: String, hint: Option<String>) {
+        self.failed |= severity == Severity::Error;
+        if self.diagnostics.len() == MAX_MESSAGES {
+            return;
+        }
         let mut diagnostic = Diagnostic::new(severity, &self.sources[file], span, message);
         diagnostic.hint = hint;
         self.diagnostics.push(diagnostic);
@@ -281,9 +289,8 @@ impl Assembler<'_> {
             (file, diagnostic.place.line, diagnostic.place.column)
         };
         self.diagnostics.sort_by_key(order);
-        let failed = self.diagnostics.iter().any(|diagnostic| diagnostic.severity == Severity::Error);
         Assembly {
-            program: (!failed).then_some(self.program),
+            program: (!self.failed).then_some(self.program),
             diagnostics: self.diagnostics,
             files: self.sources,
             definitions,

@@ -2,7 +2,7 @@
 
 use super::diagnostic::{Diagnostic, Severity};
 use super::parser::{self, Statement};
-use super::{Environment, Include};
+use super::{Environment, Include, MAX_MESSAGES};
 use crate::isa::interrupts_include;
 use source::nearest;
 use source::{MAX_SOURCE_BYTES, Source};
@@ -42,6 +42,12 @@ impl<'a> Loader<'a> {
         }
     }
 
+    fn report(&mut self, error: Diagnostic) {
+        if self.diagnostics.len() < MAX_MESSAGES {
+            self.diagnostics.push(error);
+        }
+    }
+
     /// Reads a file and what it includes.
     pub(super) fn load(&mut self, name: String, bytes: &[u8]) {
         let bound = bytes.len().min(MAX_SOURCE_BYTES);
@@ -49,11 +55,11 @@ impl<'a> Loader<'a> {
         let file = self.sources.len();
         if bytes.len() > bound {
             let message = format!("a source file has at most {MAX_SOURCE_BYTES} bytes");
-            self.diagnostics.push(Diagnostic::new(Severity::Error, &source, 0..0, message));
+            self.report(Diagnostic::new(Severity::Error, &source, 0..0, message));
         }
         let (statements, errors) = parser::parse(&source);
-        for error in errors {
-            self.diagnostics.push(Diagnostic::new(Severity::Error, &source, error.span, error.message));
+        for error in errors.into_iter().take(MAX_MESSAGES) {
+            self.report(Diagnostic::new(Severity::Error, &source, error.span, error.message));
         }
         self.sources.push(source);
         self.open.push(file);
@@ -64,7 +70,7 @@ impl<'a> Loader<'a> {
                         let source = &self.sources[file];
                         let mut error = Diagnostic::new(Severity::Error, source, span.clone(), message);
                         error.hint = hint;
-                        self.diagnostics.push(error);
+                        self.report(error);
                     }
                 }
                 _ => self.statements.push(Placed { file, statement }),

@@ -30,6 +30,9 @@ use std::fmt::Write;
 /// The mnemonic that writes a command's fields as they are: opcode, type, motor, value.
 pub const RAW_MNEMONIC: &str = "DATA";
 
+/// Most messages about a source and what it includes.
+pub const MAX_MESSAGES: usize = 500;
+
 /// What the assembler has to be told about the world.
 pub trait Environment {
     /// The file that a source includes; `from` is the name of that source. [`INTERRUPTS_FILE`] need not be

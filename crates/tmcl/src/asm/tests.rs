@@ -372,3 +372,15 @@ proptest! {
         assembly.render(false);
     }
 }
+
+#[test]
+fn messages_end_somewhere() {
+    for wrong in ["?\n", "FOO\n", "A: A: A:\n"] {
+        let assembly = assemble("test.tmc", wrong.repeat(MAX_MESSAGES).as_bytes(), &World);
+        assert_eq!((assembly.diagnostics.len(), assembly.has_errors()), (MAX_MESSAGES, true), "{wrong}");
+    }
+    // An error behind as many warnings is still one.
+    let source = format!("{}FOO\n", "SAP 5, 0, 10000\n".repeat(MAX_MESSAGES));
+    let assembly = assemble("test.tmc", source.as_bytes(), &World);
+    assert!(assembly.diagnostics.len() == MAX_MESSAGES && assembly.has_errors());
+}
