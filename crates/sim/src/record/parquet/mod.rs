@@ -15,10 +15,12 @@
 //! A group of rows has either samples, or the pulses of one axis, or everything else, and inside it time does not
 //! fall. A reader that asks for rows with `event` = `pulse` skips the groups of the others unread.
 //!
-//! Pulses come by millions, so a full group of them is written in another way than the rest: the two columns that
-//! differ from pulse to pulse are encoded as differences, and the others, which are the same in every such group of
-//! an axis, are encoded once and copied.
+//! Pulses come by millions, so a group of them is written in another way than the rest, in whole pages: the two
+//! columns that differ from pulse to pulse are encoded as differences, many at a time, and the others say once what
+//! all rows have.
 
+mod chunk;
+mod delta;
 mod pulses;
 mod read;
 mod rows;

@@ -1,15 +1,13 @@
 //! Groups of pulses of one axis.
 
-use super::{GROUP_PULSES, schema::COLUMNS};
-use bytes::Bytes;
-use motion::{Direction, Ticks, train::Edges};
-use parquet::{
-    basic::Type as Physical,
-    column::writer::{ColumnCloseResult, ColumnWriter, get_column_writer},
-    data_type::{ByteArray, Int64Type},
-    errors::{ParquetError, Result},
-    file::writer::{SerializedFileWriter, SerializedPageWriter, SerializedRowGroupWriter, TrackedWrite},
+use super::{
+    GROUP_PULSES,
+    chunk::{self, Values},
+    schema::COLUMNS,
 };
+use crate::record::nanoseconds;
+use motion::{Direction, Ticks, train::Edges};
+use parquet::{errors::Result, file::writer::SerializedFileWriter};
 use std::io::Write;
 
 const NS_PER_SECOND: u64 = 1_000_000_000;
@@ -18,18 +16,16 @@ const NS_PER_SECOND: u64 = 1_000_000_000;
 #[derive(Default)]
 pub(super) struct Pulses {
     axis: &'static str,
-    clock_hz: u64,
+    clock: Clock,
     /// Pulses until now: up less down.
     odometer: i64,
     times: Vec<i64>,
     odometers: Vec<i64>,
-    /// The columns of a full group that are the same in each.
-    constant: Vec<(Bytes, ColumnCloseResult)>,
 }
 
 impl Pulses {
     pub fn new(axis: &'static str, clock_hz: u32) -> Self {
-        Self { axis, clock_hz: clock_hz.into(), ..Self::default() }
+        Self { axis, clock: Clock::new(clock_hz), ..Self::default() }
     }
 
     pub fn is_empty(&self) -> bool {
@@ -42,112 +38,117 @@ impl Pulses {
 
     /// Takes as many edges as there is room for.
     pub fn add(&mut self, edges: &mut Edges, direction: Direction) {
-        let (room, sign) = (GROUP_PULSES - self.times.len(), direction.sign());
-        let count = edges.len().min(room);
-        // A second of the clock for the whole run of them, so that the rest of the sum is small.
-        let Some(first) = edges.clone().next() else { return };
-        let second = first / self.clock_hz;
-        let (begin, begin_ns) = (second * self.clock_hz, second * NS_PER_SECOND);
-        let clock_hz = self.clock_hz;
-        let time = |edge: Ticks| (begin_ns + (edge - begin) * NS_PER_SECOND / clock_hz) as i64;
-        self.times.extend(edges.take(count).map(time));
-        let from = self.odometer;
-        self.odometers.extend((1..=count as i64).map(|number| from + number * sign));
+        let (from, sign) = (self.times.len(), direction.sign());
+        let count = edges.len().min(GROUP_PULSES - from);
+        self.times.resize(from + count, 0);
+        for (time, edge) in self.times[from..].iter_mut().zip(edges) {
+            *time = edge as i64;
+        }
+        self.clock.to_nanoseconds(&mut self.times[from..]);
+        let before = self.odometer;
+        self.odometers.extend((1..=count as i64).map(|number| before + number * sign));
         self.odometer += count as i64 * sign;
     }
 
     /// Writes them as a group, and forgets them.
     pub fn write<W: Write + Send>(&mut self, writer: &mut SerializedFileWriter<W>) -> Result<()> {
-        let rows = self.times.len();
-        if rows != GROUP_PULSES || self.constant.is_empty() {
-            self.constant = self.constants(writer, rows)?;
-        }
+        let descriptions: Vec<_> = writer.schema_descr().columns().to_vec();
         let mut group = writer.next_row_group()?;
-        let levels = vec![1; rows];
-        let mut constant = self.constant.iter();
-        for column in &COLUMNS {
-            match column.name {
-                "time_ns" => whole_numbers(&mut group, &self.times, &levels)?,
-                "odometer" => whole_numbers(&mut group, &self.odometers, &levels)?,
-                _ => {
-                    let (bytes, about) = constant.next().ok_or_else(missing)?;
-                    group.append_column(bytes, about.clone())?;
-                }
-            }
+        for (column, description) in COLUMNS.iter().zip(descriptions) {
+            let values = match column.name {
+                "time_ns" => numbers(&self.times),
+                "odometer" => numbers(&self.odometers),
+                "event" => Values::Text("pulse"),
+                "axis" => Values::Text(self.axis),
+                _ => Values::None,
+            };
+            let (bytes, about) = chunk::encode(description, self.times.len(), &values)?;
+            group.append_column(&bytes, about)?;
         }
         group.close()?;
         self.times.clear();
         self.odometers.clear();
         Ok(())
     }
+}
 
-    /// Encodes the columns that are the same in all rows.
-    fn constants<W: Write + Send>(
-        &self,
-        writer: &SerializedFileWriter<W>,
-        rows: usize,
-    ) -> Result<Vec<(Bytes, ColumnCloseResult)>> {
-        let varies = |name: &str| matches!(name, "time_ns" | "odometer");
-        let columns = COLUMNS.iter().enumerate().filter(|(_, column)| !varies(column.name));
-        columns
-            .map(|(number, column)| {
-                let mut bytes = TrackedWrite::new(Vec::new());
-                let pages = Box::new(SerializedPageWriter::new(&mut bytes));
-                let description = writer.schema_descr().column(number);
-                let encoder = get_column_writer(description, writer.properties().clone(), pages);
-                let value = match column.name {
-                    "event" => Some("pulse"),
-                    "axis" => Some(self.axis),
-                    _ => None,
-                };
-                let about = constant(encoder, value, column.physical, rows)?;
-                Ok((Bytes::from(bytes.into_inner()?), about))
-            })
-            .collect()
+fn numbers(numbers: &[i64]) -> Values<'_> {
+    let ends = numbers
+        .iter()
+        .fold([i64::MAX, i64::MIN], |[least, most], number| [least.min(*number), most.max(*number)]);
+    Values::Numbers(numbers, ends)
+}
+
+/// From clocks to nanoseconds, rounded down, without a division each.
+#[derive(Default)]
+struct Clock {
+    hz: u32,
+    /// A clock is so many nanoseconds by so many.
+    nanoseconds: u64,
+    clocks: u64,
+    /// 2⁶⁴ by `clocks`, rounded up. To multiply with it instead of dividing is exact for less than `exact`.
+    inverse: u64,
+    exact: u64,
+}
+
+impl Clock {
+    fn new(hz: u32) -> Self {
+        let (mut divisor, mut rest) = (NS_PER_SECOND, u64::from(hz));
+        while rest > 0 {
+            (divisor, rest) = (rest, divisor % rest);
+        }
+        let (nanoseconds, clocks) = (NS_PER_SECOND / divisor, u64::from(hz) / divisor);
+        // The error of the inverse is less than one; by this the product stays below the next whole number.
+        Self {
+            hz,
+            nanoseconds,
+            clocks,
+            inverse: (u64::MAX / clocks).wrapping_add(1),
+            exact: u64::MAX / clocks,
+        }
+    }
+
+    /// Clocks that do not fall become nanoseconds.
+    fn to_nanoseconds(&self, times: &mut [i64]) {
+        let (Some(first), Some(last)) = (times.first(), times.last()) else { return };
+        // Counted from a whole second, so that the rest of the sum is small.
+        let second = *first as Ticks / Ticks::from(self.hz);
+        let (begin, begin_ns) = (second * Ticks::from(self.hz), second * NS_PER_SECOND);
+        let is_short =
+            (*last as Ticks - begin).checked_mul(self.nanoseconds).is_some_and(|all| all < self.exact);
+        // With whole nanoseconds a clock there is nothing to divide, and no inverse.
+        if is_short && self.clocks > 1 {
+            for time in times {
+                let product =
+                    u128::from((*time as Ticks - begin) * self.nanoseconds) * u128::from(self.inverse);
+                *time = (begin_ns + (product >> u64::BITS) as u64) as i64;
+            }
+        } else {
+            for time in times {
+                *time = nanoseconds(*time as Ticks, self.hz) as i64;
+            }
+        }
     }
 }
 
-/// A column that has the same text in all rows, or nothing.
-fn constant(
-    encoder: ColumnWriter<'_>,
-    value: Option<&str>,
-    physical: Physical,
-    rows: usize,
-) -> Result<ColumnCloseResult> {
-    let values = vec![ByteArray::from(value.unwrap_or_default()); if value.is_some() { rows } else { 0 }];
-    let levels = Some(vec![i16::from(value.is_some()); rows]);
-    let levels = levels.as_deref();
-    match encoder {
-        ColumnWriter::ByteArrayColumnWriter(mut encoder) => {
-            encoder.write_batch(&values, levels, None)?;
-            encoder.close()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nanoseconds_are_those_of_a_division() {
+        let day = 86_400;
+        for hz in [1, 1000, 1_000_000_000, 16_000_000, 19_660_800, 19_660_801, u32::MAX] {
+            let clock = Clock::new(hz);
+            let spans =
+                [vec![0, 1, 2], vec![u64::from(hz) - 1, u64::from(hz)], vec![5, 5 + 40 * u64::from(hz)]];
+            let long = (0..1000).map(|number| day * u64::from(hz) + number * 7919 + number % 5).collect();
+            for clocks in spans.into_iter().chain([long]) {
+                let mut times: Vec<_> = clocks.iter().map(|clock| *clock as i64).collect();
+                clock.to_nanoseconds(&mut times);
+                let expected: Vec<_> = clocks.iter().map(|at| nanoseconds(*at, hz) as i64).collect();
+                assert_eq!(times, expected, "{hz} Hz");
+            }
         }
-        ColumnWriter::Int32ColumnWriter(mut encoder) => {
-            encoder.write_batch(&[], levels, None)?;
-            encoder.close()
-        }
-        ColumnWriter::Int64ColumnWriter(mut encoder) => {
-            encoder.write_batch(&[], levels, None)?;
-            encoder.close()
-        }
-        ColumnWriter::DoubleColumnWriter(mut encoder) => {
-            encoder.write_batch(&[], levels, None)?;
-            encoder.close()
-        }
-        _ => Err(ParquetError::General(format!("no column has the type {physical}"))),
     }
-}
-
-fn whole_numbers<W: Write + Send>(
-    group: &mut SerializedRowGroupWriter<'_, W>,
-    values: &[i64],
-    levels: &[i16],
-) -> Result<()> {
-    let mut column = group.next_column()?.ok_or_else(missing)?;
-    column.typed::<Int64Type>().write_batch(values, Some(levels), None)?;
-    column.close()
-}
-
-fn missing() -> ParquetError {
-    ParquetError::General("the schema has other columns".into())
 }
