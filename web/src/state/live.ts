@@ -12,6 +12,8 @@ const FIRST_RETRY_MS = 250;
 const LAST_RETRY_MS = 5000;
 /** A server that says nothing for so long is lost; a status comes 15 times a second. */
 const SILENCE_MS = 5000;
+/** Who draws the traffic hears of it no more often: it is long, and nobody reads faster. */
+const TRAFFIC_MS = 250;
 
 /** `live.addEventListener(kind, ...)`: what has just changed. */
 export type LiveEvent = "status" | "samples" | "traffic" | "link" | "debug" | "connection";
@@ -34,6 +36,7 @@ export class LiveStore extends EventTarget {
   #retry_ms = FIRST_RETRY_MS;
   #timer = 0;
   #watchdog = 0;
+  #trafficTimer = 0;
   #open = false;
 
   constructor(api: Api, name: string) {
@@ -54,6 +57,7 @@ export class LiveStore extends EventTarget {
     this.#open = false;
     clearTimeout(this.#timer);
     clearTimeout(this.#watchdog);
+    clearTimeout(this.#trafficTimer);
     this.#socket?.close();
     this.#socket = null;
   }
@@ -114,7 +118,11 @@ export class LiveStore extends EventTarget {
         break;
       case "traffic":
         this.traffic = this.traffic.concat(message.traffic).slice(-MAX_TRAFFIC);
-        break;
+        this.#trafficTimer ||= window.setTimeout(() => {
+          this.#trafficTimer = 0;
+          this.#tell("traffic");
+        }, TRAFFIC_MS);
+        return;
       case "link":
         this.link = message.link;
         break;

@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-CQeJvkbn.js";import{n as p,t as m}from"./hold-BU0FOtox.js";import{t as h}from"./tab-CGicRCGU.js";import"./curves-DxPkVWVk.js";import{t as g}from"./axis-picker-BFBhnbzC.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-s35lNoxE.js";import{n as p,t as m}from"./hold-1Oie2uuf.js";import{t as h}from"./tab-DfsAwro-.js";import"./curves-3Wn8JM4d.js";import{t as g}from"./axis-picker-Bdt-H6x7.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;

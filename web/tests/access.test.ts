@@ -1,0 +1,125 @@
+// Who may do what, and what happens when the server goes away.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { PHONE, Server, look, open, until, withBrowser } from "./bench.ts";
+
+/** What loading the page may cost, compressed. */
+const MAX_LOAD_BYTES = 300_000;
+
+withBrowser();
+let server: Server;
+before(async () => {
+  server = await Server.start();
+});
+after(() => server.stop());
+
+test("two windows, one of which has control; the other one can look, stop, and take over", async () => {
+  const [one, two] = [await open(server, "#/pmx-2ed/control"), await open(server, "#/pmx-2ed/control")];
+  const motor = (window: typeof one) =>
+    window.page.getByRole("region", { name: "Axis X", exact: true }).getByRole("button", { name: /^motor/ });
+  await motor(one).click();
+  await one.page.getByText("you have control").waitFor();
+  await two.page.getByText("has control. You can look, and stop.").waitFor();
+  assert.ok(await motor(two).isDisabled());
+  await two.page.getByRole("button", { name: "■ STOP" }).click();
+  await two.page.getByText("Stop sent to pmx-2ed").waitFor();
+
+  await two.page.getByRole("button", { name: "Take over" }).click();
+  await two.page.getByText("you have control").waitFor();
+  await one.page.getByText("has control. You can look, and stop.").waitFor();
+  await until("the second window may switch", () => motor(two).isEnabled(), (may) => may);
+
+  // A window that closes gives control back.
+  await two.context.close();
+  await one.page.getByText("has control.").waitFor({ state: "detached", timeout: 30_000 });
+  await motor(one).click();
+  await one.page.getByText("you have control").waitFor();
+  await one.context.close();
+});
+
+test("the server is lost and regained", async () => {
+  const first = await Server.start(["pmx-2ed@tcp:127.0.0.1:0"], "127.0.0.1:0", "known");
+  const window = await open(first, "#/pmx-2ed/control");
+  const motor = window.page.getByRole("region", { name: "Axis X", exact: true }).getByRole("button", { name: /^motor/ });
+  await until("it can be used", () => motor.isEnabled(), (may) => may);
+  await first.stop();
+  await window.page.getByRole("alert").filter({ hasText: "The server does not answer" }).waitFor();
+  assert.ok(await motor.isDisabled());
+  const second = await Server.start(["pmx-2ed@tcp:127.0.0.1:0"], first.address, "known");
+  await until("it can be used again", () => motor.isEnabled(), (may) => may);
+  assert.equal(await window.page.getByRole("alert").filter({ hasText: "The server does not answer" }).count(), 0);
+  await window.context.close();
+  await second.stop();
+});
+
+test("without the token the page asks for it, and the address does not keep it", async () => {
+  const window = await open(server, "#/");
+  await window.page.getByRole("link", { name: "pmx-2ed", exact: true }).waitFor();
+  assert.ok(!window.page.url().includes("token"));
+  assert.deepEqual(await window.context.cookies(), []);
+  await window.page.evaluate(() => sessionStorage.clear());
+  await window.page.goto(`http://${server.address}/#/`);
+  await window.page.reload();
+  await window.page.getByLabel("Token").fill(server.token);
+  await window.page.getByRole("button", { name: "Open" }).click();
+  await window.page.getByRole("link", { name: "pmx-2ed", exact: true }).waitFor();
+  await window.context.close();
+});
+
+test("somebody else's page gets nothing", async () => {
+  const ask = (headers: Record<string, string>) =>
+    fetch(`http://${server.address}/api/devices`, { headers: { Authorization: `Bearer ${server.token}`, ...headers } });
+  assert.equal((await ask({})).status, 200);
+  assert.equal((await ask({ Origin: `http://${server.address}` })).status, 200);
+  assert.equal((await ask({ Origin: "http://evil.example" })).status, 403);
+  assert.equal((await ask({ Authorization: "Bearer wrong" })).status, 401);
+  const page = await fetch(`http://${server.address}/`);
+  const policy = page.headers.get("content-security-policy") ?? "";
+  assert.match(policy, /default-src 'none'/);
+  assert.match(policy, /script-src 'self'(;|$)/);
+});
+
+test("the page loads with less than 300 KB", async () => {
+  await look(server, null, async (page, { context }) => {
+    let bytes = 0;
+    const session = await context.newCDPSession(page);
+    await session.send("Network.enable");
+    await session.send("Network.setCacheDisabled", { cacheDisabled: true });
+    session.on("Network.loadingFinished", (event) => {
+      bytes += event.encodedDataLength;
+    });
+    await page.goto(`${server.url}#/pmx-2ed/control`);
+    await page.getByRole("region", { name: "Axis X", exact: true }).waitFor();
+    console.log(`# the page loads with ${bytes} bytes`);
+    assert.ok(bytes > 10_000 && bytes < MAX_LOAD_BYTES, `${bytes}`);
+  });
+});
+
+test("everything can be reached with the keyboard, and nothing is wider than a phone", async () => {
+  await look(server, "#/", async (page) => {
+    await page.getByRole("link", { name: "pmx-2ed", exact: true }).focus();
+    await page.keyboard.press("Enter");
+    const motor = page.getByRole("region", { name: "Axis X", exact: true }).getByRole("button", { name: /^motor/ });
+    await until("it can be used", () => motor.isEnabled(), (may) => may);
+    const before = await motor.innerText();
+    await motor.focus();
+    await page.keyboard.press("Space");
+    await until("the motor is switched", () => motor.innerText(), (text) => text !== before);
+    for (const tab of await page.getByRole("navigation").getByRole("link").all()) {
+      await tab.click();
+      await page.waitForTimeout(300);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      assert.ok(wide <= 0, `${await tab.innerText()} is ${wide} pixels too wide`);
+    }
+  }, PHONE);
+});
+
+test("dark and light", async () => {
+  await look(server, "#/", async (page) => {
+    const background = () => page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor);
+    const light = await background();
+    await page.getByLabel("Colours").selectOption("dark");
+    await until("it is dark", background, (colour) => colour !== light);
+  });
+});
