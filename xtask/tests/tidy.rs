@@ -60,7 +60,8 @@ fn none(rule: &str, places: impl Iterator<Item = String>) {
 
 #[test]
 fn no_source_file_is_too_long() {
-    let sources = texts().filter(|(path, _)| is_source(path));
+    // One that is written by a program has as many as it needs.
+    let sources = texts().filter(|(path, _)| is_source(path) && !path.ends_with("web/src/api/contract.ts"));
     let long = sources.map(|(path, text)| (path, text.lines().count())).filter(|(_, n)| *n > LINES_A_FILE);
     none("more than 800 lines", long.map(|(path, lines)| format!("{}: {lines}", path.display())));
 }

@@ -108,8 +108,10 @@ pub struct FaultView {
     #[serde(rename = "state", serialize_with = "state")]
     #[cfg_attr(feature = "openapi", schema(value_type = String, examples("waiting", "active")))]
     pub is_active: bool,
-    /// What it is.
+    /// What it is: the keys that it was given.
     #[serde(flatten)]
+    // An `Entry` takes no key that it does not know, and so not the two above.
+    #[cfg_attr(feature = "openapi", schema(value_type = Object))]
     pub entry: Entry,
 }
 
