@@ -13,7 +13,7 @@ import urllib.request
 import images
 
 PROGRAM = pathlib.Path(
-    os.environ.get("PULSETRAIN", pathlib.Path(__file__).parents[1] / "target/release/pulsetrain")
+    os.environ.get("PULSETRAIN", pathlib.Path(__file__).parents[1] / "target/debug/pulsetrain")
 )
 START_TIMEOUT_S = 10
 STOP_TIMEOUT_S = 10

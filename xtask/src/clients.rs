@@ -9,7 +9,6 @@ use anyhow::Result;
 /// Builds the program and runs `clients/` with pytest.
 pub fn check(workplace: &Workplace) -> Result<()> {
     let python = tools::python(workplace)?;
-    rust::binary(workplace)?;
-    let program = workplace.target.join("release/pulsetrain");
+    let program = rust::binary(workplace)?;
     run(workplace.command(python, &["-m", "pytest", "clients"]).env("PULSETRAIN", program))
 }

@@ -12,8 +12,7 @@ struct Document {
     file: &'static str,
 }
 
-/// A page of the example that writes conformance pages. The test profile is named so that the tests' build
-/// is used again.
+/// A page of the example that writes conformance pages.
 macro_rules! conformance {
     ($model:literal) => {
         Document {
@@ -21,8 +20,6 @@ macro_rules! conformance {
                 "run",
                 "--quiet",
                 "--locked",
-                "--profile",
-                "test",
                 "-p",
                 "devices",
                 "--example",
@@ -41,17 +38,7 @@ const DOCUMENTS: &[Document] = &[
     conformance!("cmd-4cr"),
     // The types that the page shares with the server.
     Document {
-        command: &[
-            "run",
-            "--quiet",
-            "--locked",
-            "--profile",
-            "test",
-            "-p",
-            "server",
-            "--example",
-            "typescript",
-        ],
+        command: &["run", "--quiet", "--locked", "-p", "server", "--example", "typescript"],
         file: "web/src/api/contract.ts",
     },
 ];

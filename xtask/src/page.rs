@@ -46,8 +46,7 @@ pub fn check(workplace: &Workplace) -> Result<()> {
     compare(&built, &workplace.root.join("web/dist"))?;
     weigh(&built)?;
     let browser = tools::chromium(workplace)?;
-    rust::binary(workplace)?;
-    let program = workplace.target.join("release/pulsetrain");
+    let program = rust::binary(workplace)?;
     test(workplace, "tests", &[("CHROMIUM", &browser), ("PULSETRAIN", &program)])
 }
 

@@ -6,6 +6,7 @@ use crate::{
     workplace::{Workplace, read, run},
 };
 use anyhow::Result;
+use std::path::PathBuf;
 
 /// What is off in a plain build because its libraries take long to build; the checks have it on.
 pub const OPTIONAL: &str = "parquet";
@@ -67,7 +68,8 @@ pub fn plain(workplace: &Workplace) -> Result<()> {
     workplace.cargo(&["check", "--locked", "-p", "cli"])
 }
 
-/// The program with everything in it.
-pub fn binary(workplace: &Workplace) -> Result<()> {
-    workplace.cargo(&["build", "--locked", "--release", "-p", "cli", ALL])
+/// Builds the program with everything in it, as the tests do, whose build it shares. Gives its path.
+pub fn binary(workplace: &Workplace) -> Result<PathBuf> {
+    workplace.cargo(&["build", "--locked", "--workspace", "--bins", ALL])?;
+    Ok(workplace.target.join("debug/pulsetrain"))
 }

@@ -13,8 +13,7 @@ const RERUNS: &str = "2";
 
 /// Builds what tells the emulated boards which machine hangs on their pins.
 fn machines(workplace: &Workplace) -> Result<PathBuf> {
-    // The profile of the tests, whose build it then shares.
-    workplace.cargo(&["build", "--quiet", "--locked", "--profile", "test", "-p", "sim", "--examples"])?;
+    workplace.cargo(&["build", "--quiet", "--locked", "-p", "sim", "--examples"])?;
     Ok(workplace.target.join("debug/examples"))
 }
 
@@ -33,7 +32,7 @@ pub fn test(workplace: &Workplace) -> Result<PathBuf> {
     tools::qemu(workplace)?;
     let python = tools::python(workplace)?;
     let examples = machines(workplace)?;
-    rust::binary(workplace)?;
+    let program = rust::binary(workplace)?;
     let figures = workplace.target.join("firmware/figures.json");
     fs::write(&figures, "")?;
     // QEMU's time goes on while the host does something else, and an image that was away is late.
@@ -41,7 +40,7 @@ pub fn test(workplace: &Workplace) -> Result<PathBuf> {
     let mut command: Command = workplace.command(python, &["-m", "pytest", "clients"]);
     command.args(again);
     command
-        .env("PULSETRAIN", workplace.target.join("release/pulsetrain"))
+        .env("PULSETRAIN", program)
         .env("PULSETRAIN_IMAGES", folder(workplace, EMULATED))
         .env("PULSETRAIN_EXAMPLES", examples)
         .env("PULSETRAIN_FIGURES", &figures);
