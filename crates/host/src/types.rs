@@ -163,6 +163,11 @@ pub enum Action {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         #[ts(optional)]
         speed: Option<i32>,
+        /// Whether it goes on only while the WebSocket `live` says so (`hold`), so that the axis stops when whoever
+        /// began it is gone. The wire knows nothing of it: whoever passes the action on sees to it.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        #[ts(as = "Option<bool>", optional)]
+        held: bool,
     },
     /// Move to targets; several axes along a line if the controller can.
     Move {
@@ -339,7 +344,11 @@ mod tests {
         check(r#"{"do":"power","axis":"X","on":true}"#, Action::Power { axis: "X".into(), on: true });
         check(
             r#"{"do":"jog","axis":"X","direction":-1}"#,
-            Action::Jog { axis: "X".into(), direction: Direction::Negative, speed: None },
+            Action::Jog { axis: "X".into(), direction: Direction::Negative, speed: None, held: false },
+        );
+        check(
+            r#"{"do":"jog","axis":"X","direction":1,"speed":5,"held":true}"#,
+            Action::Jog { axis: "X".into(), direction: Direction::Positive, speed: Some(5), held: true },
         );
         check(
             r#"{"do":"move","targets":{"X":5,"Y":-5},"relative":false}"#,

@@ -41,7 +41,7 @@ use sim::{
     record::{self, RecordError},
     tape::{self, Tape, TapeError},
 };
-use std::{io, num::NonZero, path::PathBuf, sync::Arc, thread::JoinHandle};
+use std::{io, num::NonZero, path::PathBuf, sync::Arc, thread::JoinHandle, time::Duration};
 use stop::Stop;
 use tokio::runtime::Runtime;
 use unit::Unit;
@@ -138,6 +138,9 @@ impl Error {
         move |source| Self::System { what, source }
     }
 }
+
+/// How long axes that are held may take to be told to stop when the server ends.
+const LAST_STOPS: Duration = Duration::from_secs(2);
 
 /// A running server. Dropping it without [`stop`](Self::stop) leaves its threads running.
 pub struct Server {
@@ -242,6 +245,9 @@ impl Server {
     /// # Errors
     /// A recording or an image cannot be saved; the others are.
     pub fn stop(self) -> Result<(), Error> {
+        // What cannot be stopped in this time is not.
+        let stopped = async { tokio::time::timeout(LAST_STOPS, self.desk.stop_held()).await };
+        let _ = self.runtime.block_on(stopped);
         drop(self.stop);
         self.desk.close();
         // What is still asked over HTTP is answered or not; the state no longer counts.

@@ -23,7 +23,12 @@ direction: 1 | -1,
 /**
  * The speed from now on; without it that of the axis' parameters.
  */
-speed?: number, } | { "do": "move",
+speed?: number,
+/**
+ * Whether it goes on only while the WebSocket `live` says so (`hold`), so that the axis stops when whoever
+ * began it is gone. The wire knows nothing of it: whoever passes the action on sees to it.
+ */
+held?: boolean, } | { "do": "move",
 /**
  * The targets, by axis.
  */
@@ -552,6 +557,21 @@ link: LinkState, } | { "type": "debug",
  * How it is now.
  */
 debug: DebugState, };
+
+/**
+ * What a client says: which jogs that began with `held` go on. It has to be said at least every 600 ms, and the page
+ * says it every 200. An axis that this WebSocket has held and no longer names stops, and all of them do when it closes.
+ */
+export type LiveRequest = { "type": "hold",
+/**
+ * The axes.
+ */
+axes: Array<string>,
+/**
+ * The present lease of whoever says it, unless the address of the WebSocket has it (`lease`); while somebody
+ * has control nobody else holds anything.
+ */
+lease?: string, };
 
 /**
  * A machine.

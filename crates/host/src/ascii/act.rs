@@ -21,7 +21,7 @@ impl Unit {
                 let number = self.axis(axis)? + 1;
                 self.tell(&format!("EO{number}={}", u8::from(*on))).await
             }
-            Action::Jog { axis, direction, speed } => {
+            Action::Jog { axis, direction, speed, held: _ } => {
                 let number = self.axis(axis)?;
                 if let Some(speed) = speed {
                     self.tell(&format!("HSPD{axis}={speed}")).await?;

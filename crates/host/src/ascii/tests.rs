@@ -27,7 +27,7 @@ async fn actions() {
     };
     check(Pmx2ed, Action::Power { axis: "Y".into(), on: true }, &["EO2=1>OK"]).await;
     check(Cmd4cr, Action::Power { axis: "U".into(), on: false }, &["@01EO4=0>OK"]).await;
-    let jog = |speed| Action::Jog { axis: x(), direction: Direction::Negative, speed };
+    let jog = |speed| Action::Jog { axis: x(), direction: Direction::Negative, speed, held: false };
     check(Pmx2ed, jog(None), &["JX->OK"]).await;
     check(Pmx2ed, jog(Some(500)), &["HSPDX=500>OK", "JX->OK"]).await;
     let both = targets(&[("X", 1000), ("Y", -1000)]);
@@ -110,7 +110,7 @@ async fn lost_and_strange_replies() {
     // Doing is not: it may have been done.
     let script = Script::default().silence(b"JX+\r");
     let unit = controller(&script, Model::Pmx2ed, None);
-    let jog = Action::Jog { axis: "X".into(), direction: Direction::Positive, speed: None };
+    let jog = Action::Jog { axis: "X".into(), direction: Direction::Positive, speed: None, held: false };
     assert!(matches!(unit.act(&jog).await, Err(Error::Wire(_))));
     script.ends();
 }

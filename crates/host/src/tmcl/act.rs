@@ -49,7 +49,7 @@ impl Module {
             Action::Power { .. } => Err(Error::Unsupported("switch for motor power")),
             Action::SetMode { .. } => Err(Error::Unsupported("mode of targets: each move says it")),
             Action::Abort { .. } => Err(Error::Unsupported("command that stops without a ramp")),
-            Action::Jog { axis, direction, speed } => {
+            Action::Jog { axis, direction, speed, held: _ } => {
                 let motor = self.axis(axis)?;
                 let speed = match speed {
                     Some(speed) => *speed,

@@ -38,7 +38,8 @@ async fn the_manuals_frames() {
         .bytes(&[1, 4, 0, 0, 0, 0x01, 0x5F, 0x90, 0xF5], &[2, 1, 100, 4, 0, 0x01, 0x5F, 0x90, 0x5B])
         .bytes(&[1, 6, 1, 0, 0, 0, 0, 0, 0x08], &[2, 1, 100, 6, 0, 0, 0x02, 0xC7, 0x36]);
     let module = controller(&script);
-    let jog = Action::Jog { axis: "0".into(), direction: Direction::Positive, speed: Some(1000) };
+    let jog =
+        Action::Jog { axis: "0".into(), direction: Direction::Positive, speed: Some(1000), held: false };
     module.act(&jog).await.unwrap();
     module.act(&Action::Move { targets: [("0".into(), 90_000)].into(), relative: false }).await.unwrap();
     assert_eq!(module.read(&"AP1.0".parse().unwrap()).await.unwrap(), Value::Number(711));
@@ -53,7 +54,7 @@ async fn actions() {
         script.ends();
     };
     let axis = || "0".to_owned();
-    let jog = |direction, speed| Action::Jog { axis: axis(), direction, speed };
+    let jog = |direction, speed| Action::Jog { axis: axis(), direction, speed, held: false };
     check(jog(Direction::Negative, None), &[((6, 4, 0, 0), 700), ((2, 0, 0, 700), 700)]).await;
     check(Action::Move { targets: [(axis(), -5)].into(), relative: true }, &[((4, 1, 0, -5), -5)]).await;
     check(Action::Stop { axis: None }, &[((3, 0, 0, 0), 0)]).await;

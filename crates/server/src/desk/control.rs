@@ -1,5 +1,6 @@
 //! What a controller is told to do.
 
+use super::hold;
 use crate::http::{Answer, Body, Place, Shared, at, json};
 use axum::{Json, extract::State, http::StatusCode};
 use host::{Action, Status};
@@ -23,6 +24,8 @@ pub(crate) async fn status(State(site): Shared, place: Place<String>) -> Answer<
 }
 
 /// Have a controller do something
+///
+/// A jog with `held` stops unless the WebSocket `live` says again and again that it goes on.
 #[utoipa::path(
     post, path = "/api/devices/{device}/act", tag = "control",
     request_body = Action, responses((status = 204))
@@ -30,8 +33,14 @@ pub(crate) async fn status(State(site): Shared, place: Place<String>) -> Answer<
 pub(crate) async fn act(State(site): Shared, place: Place<String>, body: Body) -> Answer<StatusCode> {
     let seat = site.desk.find(&at(place)?)?;
     let action: Action = json(body)?;
-    seat.ask(async |it| it.act(&action).await).await?;
-    Ok(StatusCode::NO_CONTENT)
+    let begun = hold::begin(&seat, &action);
+    let done = seat.ask(async |it| it.act(&action).await).await;
+    match (&done, begun) {
+        (Ok(()), None) => seat.holds.superseded(&action),
+        (Err(why), Some(begun)) if why.is_refusal() => begun.refused(&seat.holds),
+        _ => {}
+    }
+    done.map(|()| StatusCode::NO_CONTENT)
 }
 
 /// Stop all axes and programs
@@ -41,6 +50,7 @@ pub(crate) async fn act(State(site): Shared, place: Place<String>, body: Body) -
 pub(crate) async fn stop(State(site): Shared, place: Place<String>) -> Answer<StatusCode> {
     let seat = site.desk.find(&at(place)?)?;
     seat.ask(async |it| it.stop_all().await).await?;
+    seat.holds.superseded(&Action::Stop { axis: None });
     Ok(StatusCode::NO_CONTENT)
 }
 

@@ -13,6 +13,7 @@ use crate::{
 };
 use axum::http::StatusCode;
 use devices::Model;
+use host::Action;
 use sim::{DeviceConfig, VirtualDevice};
 use std::{
     num::NonZero,
@@ -154,6 +155,17 @@ impl Desk {
             self.images.forget(name).map_err(|error| DeskError::Start(error.into()))?;
         }
         Ok(())
+    }
+
+    /// Stops the axes whose jogs somebody holds: nobody will hear any more that he does.
+    pub async fn stop_held(&self) {
+        let seats = self.seats().clone();
+        for seat in seats {
+            for axis in seat.holds.axes() {
+                // Who does not answer now cannot be told later.
+                let _ = seat.ask(async |it| it.act(&Action::Stop { axis: Some(axis) }).await).await;
+            }
+        }
     }
 
     /// Takes all away that came after the start.

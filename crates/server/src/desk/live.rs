@@ -1,9 +1,9 @@
 //! What a controller says of itself while somebody looks, over a WebSocket.
 
-use super::{hub::Watching, link::LinkState, seat::Seat};
+use super::{hold::Holder, hub::Watching, link::LinkState, seat::Seat};
 use crate::{
     breaks::DebugState,
-    http::{Answer, Place, SHORT_MESSAGE, Shared, Upgrade, at},
+    http::{Answer, Place, SHORT_MESSAGE, Shared, Site, Upgrade, at},
     samples::Samples,
 };
 use axum::{
@@ -14,7 +14,7 @@ use axum::{
     response::Response,
 };
 use host::{Controller, Status, Traffic};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::{
     sync::{Arc, Weak},
     time::Duration,
@@ -69,16 +69,35 @@ pub(crate) enum Live {
     },
 }
 
-/// A WebSocket that says what a controller is doing
+/// What a client says: which jogs that began with `held` go on. It has to be said at least every 600 ms, and the page
+/// says it every 200. An axis that this WebSocket has held and no longer names stops, and all of them do when it closes.
+#[derive(Debug, Deserialize, TS, ToSchema)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+pub(crate) enum LiveRequest {
+    /// These go on.
+    Hold {
+        /// The axes.
+        axes: Vec<String>,
+        /// The present lease of whoever says it, unless the address of the WebSocket has it (`lease`); while somebody
+        /// has control nobody else holds anything.
+        #[serde(default)]
+        #[ts(optional)]
+        lease: Option<String>,
+    },
+}
+
+/// A WebSocket that says what a controller is doing, and hears which jogs are held
 #[utoipa::path(get, path = "/api/devices/{device}/live", tag = "devices", responses((status = 101)))]
 pub(crate) async fn live(State(site): Shared, place: Place<String>, upgrade: Upgrade) -> Answer<Response> {
     let seat = site.desk.find(&at(place)?)?;
-    Ok(upgrade.run(SHORT_MESSAGE, move |socket| talk(socket, seat)))
+    let lease = upgrade.lease().map(str::to_owned);
+    Ok(upgrade.run(SHORT_MESSAGE, move |socket| talk(socket, seat, site, lease)))
 }
 
 /// Tells a client until it leaves, or the controller is taken away.
-async fn talk(socket: WebSocket, seat: Arc<Seat>) {
+async fn talk(socket: WebSocket, seat: Arc<Seat>, site: Arc<Site>, lease: Option<String>) {
     let watching = Watching::begin(&seat);
+    let holder = Holder::new(&seat);
     let (mut status, mut samples, mut link) = (watching.status(), watching.samples(), seat.link_state());
     let mut client = Client { socket, spoken: Instant::now() };
     let mut debugged = Debugged::default();
@@ -109,9 +128,17 @@ async fn talk(socket: WebSocket, seat: Arc<Seat>) {
                 }
                 messages
             }
-            // Pings are answered by the library; anything else a client says is of no interest.
+            // Pings are answered by the library; what makes no sense is of no interest.
             message = client.socket.recv() => match message {
                 Some(Ok(Message::Close(_))) | Some(Err(_)) | None => return,
+                Some(Ok(Message::Text(text))) => {
+                    if let Ok(LiveRequest::Hold { axes, lease: own }) = serde_json::from_str(&text)
+                        && site.control.admit(own.as_deref().or(lease.as_deref())).is_ok()
+                    {
+                        holder.hold(&axes);
+                    }
+                    vec![]
+                }
                 Some(Ok(_)) => vec![],
             }
         };

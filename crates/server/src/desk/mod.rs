@@ -4,12 +4,14 @@
 //! - [`catalog`]: what a model can do, from its tables.
 //! - [`list`]: which controllers there are; [`seat`]: one of them; [`link`] and [`wire`]: the way to it, which is the
 //!   same for virtual and real ones.
-//! - [`hub`] asks a controller for its status while somebody looks, [`live`] tells them.
+//! - [`hub`] asks a controller for its status while somebody looks, [`live`] tells them; [`hold`] stops jogs when nobody
+//!   holds them any more.
 //! - [`control`], [`parameters`], [`program`], [`machine`], [`devices`]: the calls.
 
 mod catalog;
 mod control;
 mod devices;
+mod hold;
 mod hub;
 mod link;
 mod list;

@@ -1,6 +1,7 @@
 //! A controller at the desk, virtual or real.
 
 use super::{
+    hold::Holds,
     hub::Hub,
     link::{End, Link, LinkState, Place},
 };
@@ -29,6 +30,8 @@ pub(crate) struct Seat {
     link: Option<Link>,
     /// Those who look at it.
     pub hub: Hub,
+    /// Its jogs that somebody holds.
+    pub holds: Holds,
 }
 
 enum Kind {
@@ -81,6 +84,7 @@ impl Seat {
             kind: Kind::Virtual { unit, endpoints, served },
             link,
             hub: Hub::default(),
+            holds: Holds::default(),
         })
     }
 
@@ -88,7 +92,8 @@ impl Seat {
     pub fn real(name: String, model: &'static Model, place: Place, address: Option<u8>) -> Option<Arc<Self>> {
         let kind = Kind::Real { place: place.to_string() };
         let link = Link::new(End::Real(place, address), model.name.parse().ok()?, model.guide);
-        let seat = Arc::new(Self { name, model, kind, link: Some(link), hub: Hub::default() });
+        let (hub, holds) = Default::default();
+        let seat = Arc::new(Self { name, model, kind, link: Some(link), hub, holds });
         Hub::attend_always(&seat);
         Some(seat)
     }

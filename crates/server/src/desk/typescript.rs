@@ -4,7 +4,7 @@ use super::{
     catalog::Catalog,
     control::TypedLine,
     devices::{NewDevices, WhereToLook},
-    live::Live,
+    live::{Live, LiveRequest},
     machine::Machine,
     models::{FaultKind, ModelInfo},
     program::{Compiled, SourceText},
@@ -31,6 +31,7 @@ pub fn typescript() -> String {
     all.visit::<Catalog>();
     all.visit::<FaultKind>();
     all.visit::<Live>();
+    all.visit::<LiveRequest>();
     all.visit::<Machine>();
     all.visit::<Action>();
     all.visit::<TypedLine>();

@@ -104,7 +104,7 @@ impl Control {
     }
 
     /// Whether the client with this key may change something; else who may.
-    fn admit(&self, key: Option<&str>) -> Answer<()> {
+    pub fn admit(&self, key: Option<&str>) -> Answer<()> {
         match self.held(Instant::now()).as_ref() {
             Some(held) if !held.is(key) => Err(locked(&held.name)),
             _ => Ok(()),

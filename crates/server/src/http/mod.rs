@@ -59,6 +59,11 @@ impl Failure {
         Self { status, message: message.into(), holder: None }
     }
 
+    /// Whether what was asked for was refused, and not done.
+    pub fn is_refusal(&self) -> bool {
+        self.status.is_client_error()
+    }
+
     /// There is no such thing; `known` are those that there are.
     pub fn unknown<'a>(kind: &str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
         let known: Vec<_> = known.into_iter().collect();

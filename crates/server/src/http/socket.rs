@@ -12,7 +12,7 @@ use axum::{
 use std::{future::pending, sync::Arc, time::Duration};
 use tokio::time::interval;
 
-/// Most bytes of a message of a client that has nothing to say.
+/// Most bytes of a message of a client that has little to say.
 pub const SHORT_MESSAGE: usize = 4096;
 
 /// How often control is renewed.
@@ -40,6 +40,11 @@ impl FromRequestParts<Arc<Site>> for Upgrade {
 }
 
 impl Upgrade {
+    /// The lease that the client shows.
+    pub fn lease(&self) -> Option<&str> {
+        self.lease.as_deref()
+    }
+
     /// Answers, and then talks until `talk` has ended. Messages of the client have at most so many bytes.
     pub fn run<F>(self, max_message: usize, talk: impl FnOnce(WebSocket) -> F + Send + 'static) -> Response
     where

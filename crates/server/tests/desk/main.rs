@@ -4,6 +4,7 @@ mod catalog;
 mod coming;
 #[path = "../common/mod.rs"]
 mod common;
+mod held;
 mod live;
 mod parameters;
 mod programs;

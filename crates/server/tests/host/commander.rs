@@ -13,7 +13,7 @@ fn move_to(goals: &[(&str, i32)], relative: bool) -> Action {
 }
 
 fn jog(name: &str, direction: Direction) -> Action {
-    Action::Jog { axis: name.into(), direction, speed: Some(5000) }
+    Action::Jog { axis: name.into(), direction, speed: Some(5000), held: false }
 }
 
 #[test]

@@ -13,7 +13,7 @@ fn move_to(goals: &[(&str, i32)], relative: bool) -> Action {
 }
 
 fn jog(direction: Direction, speed: i32) -> Action {
-    Action::Jog { axis: x(), direction, speed: Some(speed) }
+    Action::Jog { axis: x(), direction, speed: Some(speed), held: false }
 }
 
 #[test]

@@ -13,7 +13,7 @@ fn move_to(target: i32, relative: bool) -> Action {
 }
 
 fn jog(direction: Direction, speed: Option<i32>) -> Action {
-    Action::Jog { axis: motor(), direction, speed }
+    Action::Jog { axis: motor(), direction, speed, held: false }
 }
 
 #[test]
