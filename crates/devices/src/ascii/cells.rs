@@ -9,7 +9,7 @@ use heapless::Vec;
 pub struct Cells<I: 'static, const COUNT: usize> {
     table: &'static [Command<I>],
     axes: usize,
-    /// The first cell of each entry.
+    /// The first cell of each entry, and behind the last one where its cells end.
     firsts: &'static [u16],
     values: [i32; COUNT],
 }
@@ -33,13 +33,12 @@ pub const fn count<I>(table: &[Command<I>], axes: usize) -> usize {
     cells
 }
 
-/// The first cell of each entry of a table on a device with so many axes.
-pub const fn firsts<I, const ENTRIES: usize>(table: &[Command<I>], axes: usize) -> [u16; ENTRIES] {
-    assert!(table.len() == ENTRIES, "a first cell for each entry");
-    let (mut firsts, mut entry, mut first) = ([0; ENTRIES], 0, 0);
-    while entry < ENTRIES {
-        firsts[entry] = first as u16;
-        first += table[entry].places(axes);
+/// The first cell of each entry of a table on a device with so many axes, and where those of the last one end.
+pub const fn firsts<I, const BOUNDS: usize>(table: &[Command<I>], axes: usize) -> [u16; BOUNDS] {
+    assert!(table.len() + 1 == BOUNDS, "a first cell for each entry, and an end");
+    let (mut firsts, mut entry) = ([0; BOUNDS], 0);
+    while entry < table.len() {
+        firsts[entry + 1] = firsts[entry] + table[entry].places(axes) as u16;
         entry += 1;
     }
     firsts
@@ -51,7 +50,7 @@ impl<I: Id, const COUNT: usize> Cells<I, COUNT> {
     /// # Panics
     /// If `COUNT` is not the table's.
     pub const fn new(table: &'static [Command<I>], firsts: &'static [u16], axes: usize) -> Self {
-        assert!(count(table, axes) == COUNT && firsts.len() == table.len(), "a cell for each number");
+        assert!(count(table, axes) == COUNT && firsts.len() == table.len() + 1, "a cell for each number");
         let mut cells = Self { table, axes, firsts, values: [0; COUNT] };
         let mut entry = 0;
         while entry < table.len() {
@@ -100,10 +99,12 @@ impl<I: Id, const COUNT: usize> Cells<I, COUNT> {
         place + usize::from(self.table[id.position()].form == Form::MaybeAxis)
     }
 
+    #[inline]
     fn find(&self, id: I, place: usize) -> usize {
         let entry = id.position();
-        assert!(place < self.table[entry].places(self.axes), "a place of the command");
-        usize::from(self.firsts[entry]) + place
+        let cell = usize::from(self.firsts[entry]) + place;
+        assert!(cell < usize::from(self.firsts[entry + 1]), "a place of the command");
+        cell
     }
 
     /// Records of all stored cells that have not their default.
@@ -178,7 +179,7 @@ mod tests {
 
     type Small = Cells<Id, { count(TABLE, 2) }>;
 
-    static FIRSTS: [u16; TABLE.len()] = firsts(TABLE, 2);
+    static FIRSTS: [u16; TABLE.len() + 1] = firsts(TABLE, 2);
 
     #[test]
     fn axes_take_the_global_value_until_they_have_their_own() {

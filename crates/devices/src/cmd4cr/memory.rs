@@ -17,4 +17,4 @@ pub type Memory<F> = memory::Memory<F, Id, { cells::count(COMMANDS, AXIS_COUNT) 
 pub static LAYOUT: memory::Layout<Id> =
     memory::Layout { table: COMMANDS, firsts: &FIRSTS, dialect: &COMMANDER, stored_from: 0, number: 1 };
 
-static FIRSTS: [u16; COMMANDS.len()] = cells::firsts(COMMANDS, AXIS_COUNT);
+static FIRSTS: [u16; COMMANDS.len() + 1] = cells::firsts(COMMANDS, AXIS_COUNT);

@@ -17,4 +17,4 @@ pub type Memory<F> = memory::Memory<F, Id, { cells::count(COMMANDS, AXIS_COUNT) 
 pub static LAYOUT: memory::Layout<Id> =
     memory::Layout { table: COMMANDS, firsts: &FIRSTS, dialect: &PERFORMAX_2, stored_from: 32, number: 0 };
 
-static FIRSTS: [u16; COMMANDS.len()] = cells::firsts(COMMANDS, AXIS_COUNT);
+static FIRSTS: [u16; COMMANDS.len() + 1] = cells::firsts(COMMANDS, AXIS_COUNT);
