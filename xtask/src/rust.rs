@@ -63,9 +63,10 @@ pub fn rustdoc(workplace: &Workplace) -> Result<()> {
     run(command.env("RUSTDOCFLAGS", "-D warnings"))
 }
 
-/// The program as a plain build has it; whether all that is optional compiles too, the other steps show.
+/// The program as a plain build has it, and with the rest of the workspace, so that libraries are as clippy has had them;
+/// whether all that is optional compiles too, the other steps show.
 pub fn plain(workplace: &Workplace) -> Result<()> {
-    workplace.cargo(&["check", "--locked", "-p", "cli"])
+    workplace.cargo(&["check", "--locked", "--workspace"])
 }
 
 /// Builds the program with everything in it, as the tests do, whose build it shares. Gives its path.
