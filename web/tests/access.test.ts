@@ -39,14 +39,14 @@ test("two windows, one of which has control; the other one can look, stop, and t
 });
 
 test("the server is lost and regained", async () => {
-  const first = await Server.start(["pmx-2ed@tcp:127.0.0.1:0"], "127.0.0.1:0", "known");
+  const first = await Server.start({ devices: ["pmx-2ed@tcp:127.0.0.1:0"], token: "known" });
   const window = await open(first, "#/pmx-2ed/control");
   const motor = window.page.getByRole("region", { name: "Axis X", exact: true }).getByRole("button", { name: /^motor/ });
   await until("it can be used", () => motor.isEnabled(), (may) => may);
   await first.stop();
   await window.page.getByRole("alert").filter({ hasText: "The server does not answer" }).waitFor();
   assert.ok(await motor.isDisabled());
-  const second = await Server.start(["pmx-2ed@tcp:127.0.0.1:0"], first.address, "known");
+  const second = await Server.start({ devices: ["pmx-2ed@tcp:127.0.0.1:0"], http: first.address, token: "known" });
   await until("it can be used again", () => motor.isEnabled(), (may) => may);
   assert.equal(await window.page.getByRole("alert").filter({ hasText: "The server does not answer" }).count(), 0);
   await window.context.close();

@@ -1,17 +1,23 @@
 // A server with virtual controllers and a browser that looks at its page. The environment says which program and
-// which browser: PULSETRAIN and CHROMIUM.
+// which browser: PULSETRAIN and CHROMIUM. While one works on the page, PULSETRAIN_PAGE is a folder with a built one that
+// takes the place of the program's own, so that nothing has to be linked anew.
 
 import { type ChildProcess, spawn } from "node:child_process";
-import { mkdir } from "node:fs/promises";
+import { mkdir, mkdtemp, rm, writeFile } from "node:fs/promises";
 import { once } from "node:events";
+import type { Server as HttpServer } from "node:http";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { after, before } from "node:test";
 import assert from "node:assert/strict";
 import { chromium, type Browser, type BrowserContext, type Locator, type Page } from "playwright-core";
+import { portOf, standIn } from "./stand-in.ts";
 
 const PROGRAM = process.env.PULSETRAIN ?? "target/release/pulsetrain";
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const PICTURES = process.env.PULSETRAIN_PICTURES;
+const PAGE = process.env.PULSETRAIN_PAGE;
 
 /** How long anything may take before a test fails. */
 export const PATIENCE_MS = 15_000;
@@ -29,6 +35,22 @@ const FLAGS = [
 export const DESK = { width: 1280, height: 800 };
 export const PHONE = { width: 390, height: 844 };
 
+/** One of each controller. */
+const EACH = ["pd42-1140@tcp:127.0.0.1:0", "pmx-2ed@tcp:127.0.0.1:0", "cmd-4cr@tcp:127.0.0.1:0"];
+
+/** What a server is started with. */
+export interface Setup {
+  /** Devices and their endpoints; one of each without them and without a bench. */
+  devices?: string[];
+  /** A bench file's text. */
+  bench?: string;
+  /** Where the page is. */
+  http?: string;
+  token?: string;
+  /** Seconds of the devices a second. */
+  speed?: number;
+}
+
 /** A running `pulsetrain serve`. */
 export class Server {
   /** Of the page, with the token. */
@@ -37,26 +59,37 @@ export class Server {
   /** The control that the newest page has; what the tests ask goes in its name. */
   lease: string | null = null;
 
-  private constructor(process: ChildProcess, url: string) {
+  readonly #front: HttpServer | null;
+
+  private constructor(process: ChildProcess, url: string, front: HttpServer | null) {
     this.#process = process;
-    this.url = url;
+    this.#front = front;
+    this.url = front === null ? url : url.replace(new URL(url).host, `127.0.0.1:${portOf(front)}`);
   }
 
-  /** Starts one of each controller, or what `devices` says; `http` is the page's address. */
-  static async start(devices: string[] = [], http = "127.0.0.1:0", token?: string): Promise<Server> {
-    const names = devices.length > 0 ? devices : [
-      "pd42-1140@tcp:127.0.0.1:0",
-      "pmx-2ed@tcp:127.0.0.1:0",
-      "cmd-4cr@tcp:127.0.0.1:0",
-    ];
+  static async start({ devices, bench, http = "127.0.0.1:0", token, speed = 1 }: Setup = {}): Promise<Server> {
     const env = token === undefined ? process.env : { ...process.env, PULSETRAIN_TOKEN: token };
-    const child = spawn(PROGRAM, ["serve", ...names, "--http", http], { stdio: ["ignore", "pipe", "inherit"], env });
-    for await (const line of createInterface({ input: child.stdout! })) {
-      const url = /^ready http (.*)$/.exec(line)?.[1];
-      if (url !== undefined) {
+    const folder = await mkdtemp(join(tmpdir(), "pulsetrain-"));
+    const file = join(folder, "bench.toml");
+    if (bench !== undefined) await writeFile(file, bench);
+    const what = bench === undefined ? (devices ?? EACH) : ["--bench", file];
+    // With a page of its own the program is behind it, anywhere.
+    const where = PAGE === undefined ? http : "127.0.0.1:0";
+    const child = spawn(PROGRAM, ["serve", ...what, "--http", where, "--speed", String(speed)], {
+      stdio: ["ignore", "pipe", "inherit"],
+      env,
+    });
+    try {
+      for await (const line of createInterface({ input: child.stdout! })) {
+        const url = /^ready http (.*)$/.exec(line)?.[1];
+        if (url === undefined) continue;
         child.stdout!.resume();
-        return new Server(child, url);
+        const behind = new URL(url).host;
+        const port = Number(new URL(`http://${http}`).port);
+        return new Server(child, url, PAGE === undefined ? null : await standIn(PAGE, behind, port));
       }
+    } finally {
+      await rm(folder, { recursive: true });
     }
     throw new Error("the server ended before it was ready");
   }
@@ -68,6 +101,8 @@ export class Server {
       this.#process.kill("SIGTERM");
       await ended;
     }
+    this.#front?.closeAllConnections();
+    this.#front?.close();
   }
 
   get address(): string {
@@ -76,6 +111,11 @@ export class Server {
 
   get token(): string {
     return new URL(this.url).searchParams.get("token")!;
+  }
+
+  /** Types a command into a device, past the page, and gives its reply. */
+  async say(device: string, line: string): Promise<string> {
+    return (await this.ask<{ reply: string }>("POST", `/devices/${device}/terminal`, { line })).reply;
   }
 
   /** Asks the interface that programs use, past the page. */

@@ -122,21 +122,33 @@ test("a limit stops the axis, and its error is cleared", async () => {
   });
 });
 
-test("each controller homes", async () => {
-  for (const [device, name, modes] of [["pmx-2ed", "X", 5], ["cmd-4cr", "Z", 13], ["pd42-1140", "0", 8]] as const) {
-    await look(server, `#/${device}/control`, async (page) => {
-      await axis(page, name).waitFor();
-      if ((await axis(page, name).getByRole("button", { name: /^motor/ }).count()) > 0) await power(page, name);
-      const homing = page.locator("pt-homing");
-      assert.ok((await homing.locator("option").count()) >= modes);
-      if (name === "Z") await homing.getByText(name, { exact: true }).click();
-      const home = homing.getByRole("button").filter({ hasText: "Home −" });
-      await home.click();
-      await until(`${device} homes`, () => speed(page, name), (pps) => pps !== 0);
-      await page.getByRole("button", { name: "■ STOP" }).click();
-      await atRest(page, name);
-    });
-  }
+test("the fourth axis of a CMD-4CR alone: jogged, moved, homed", async () => {
+  await look(server, "#/cmd-4cr/control", async (page) => {
+    await power(page, "U");
+    const jog = axis(page, "U").getByRole("button", { name: "Jog U in positive direction while pressed" });
+    await jog.hover();
+    await page.mouse.down();
+    await until("U moves", () => position(page, "U"), (at) => at > 100);
+    await page.mouse.up();
+    const from = await atRest(page, "U");
+
+    await page.getByRole("checkbox", { name: "Move axis X" }).uncheck();
+    await page.getByRole("checkbox", { name: "Move axis U" }).check();
+    await page.getByRole("button", { name: "ABS" }).click();
+    await until("ABS", () => page.getByRole("button", { name: "ABS" }).getAttribute("aria-pressed"), (on) => on === "true");
+    await move(page, { U: from + 400 });
+    await until("U at its target", () => position(page, "U"), (at) => at === from + 400);
+    await atRest(page, "U");
+
+    const homing = page.getByRole("region", { name: "Home", exact: true });
+    await homing.getByText("U", { exact: true }).click();
+    await homing.getByLabel("Mode").selectOption("1");
+    await homing.getByRole("button", { name: "Home U in negative direction" }).click();
+    await until("U homes", () => state(page, "U").innerText(), (text) => text !== "idle");
+    await until("U is home", () => state(page, "U").innerText(), (text) => text === "idle");
+    assert.equal(await position(page, "U"), 0);
+    for (const other of ["X", "Y", "Z"]) assert.equal(await speed(page, other), 0);
+  });
 });
 
 test("speed and target change on the fly", async () => {

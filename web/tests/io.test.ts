@@ -2,6 +2,8 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import type { Page } from "playwright-core";
+import type { Status } from "../src/api/contract.ts";
 import { Server, look, picture, until, withBrowser } from "./bench.ts";
 
 withBrowser();
@@ -74,7 +76,97 @@ test("inputs are pressed, outputs switched, analog values set", async () => {
   });
 });
 
-test("faults on purpose, and the power", async () => {
+/** Where an axis is and how fast it goes. */
+const axisOf = async (device: string, name: string) => (await server.ask<Status>("GET", `/devices/${device}/status`)).axes[name]!;
+
+/** What lets a joystick move both axes at up to 2,000 pps anywhere: as the manuals set it up. */
+const JOYSTICKS: Record<string, string[]> = {
+  "pmx-2ed": [
+    ...["JV1=2000", "JV2=2000", "JV3=100", "JV4=100", "JV5=100", "JV6=100"],
+    ...["JL1=-90000", "JL2=-80000", "JL3=80000", "JL4=90000", "JL5=-90000", "JL6=-80000", "JL7=80000", "JL8=90000"],
+    ...["EO=3", "JO=3"],
+  ],
+  "cmd-4cr": [
+    ...["JSPDX=2000", "JSPDY=2000", "JDELX=100", "JDELY=100", "JTOLX=100", "JTOLY=100"],
+    ...["JLIM1=-90000", "JLIM2=-80000", "JLIM3=80000", "JLIM4=90000"],
+    ...["JLIM5=-90000", "JLIM6=-80000", "JLIM7=80000", "JLIM8=90000", "EO=15", "JENA=3"],
+  ],
+};
+
+test("the stick of a joystick moves both axes, by pointer and by keys, and springs back", async () => {
+  for (const [device, lines] of Object.entries(JOYSTICKS)) {
+    server.lease = null;
+    for (const line of lines) await server.say(device, line);
+    await look(server, `#/${device}/io`, async (page) => {
+      const stick = page.getByRole("region", { name: "Joystick" }).getByRole("application");
+      await stick.scrollIntoViewIfNeeded();
+      const box = await stick.boundingBox();
+      assert.ok(box);
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      // To the right and down: X forwards, Y backwards.
+      await page.mouse.move(x + 50, y + 50, { steps: 4 });
+      await until("X goes forwards", () => axisOf(device, "X"), ({ position, speed }) => position > 50 && speed > 0);
+      await until("Y goes backwards", () => axisOf(device, "Y"), ({ position, speed }) => position < -50 && speed !== 0);
+      await page.mouse.up();
+      await until("X stands", () => axisOf(device, "X"), ({ speed }) => speed === 0);
+      await until("Y stands", () => axisOf(device, "Y"), ({ speed }) => speed === 0);
+
+      const before = (await axisOf(device, "X")).position;
+      await stick.focus();
+      await page.keyboard.down("ArrowLeft");
+      await until("X comes back", () => axisOf(device, "X"), ({ position }) => position < before - 50);
+      await page.keyboard.up("ArrowLeft");
+      await until("X stands again", () => axisOf(device, "X"), ({ speed }) => speed === 0);
+    });
+    server.lease = null;
+    await server.say(device, device === "pmx-2ed" ? "JO=0" : "JENA=0");
+  }
+});
+
+test("a hand wheel turns an axis, through its gear", async () => {
+  await look(server, "#/cmd-4cr/io", async (page) => {
+    for (const line of ["EO=15", "ABORT", "PZ=0", "MPMZ=3", "MPEZ=1"]) await server.say("cmd-4cr", line);
+    const wheel = page.getByRole("region", { name: "Hand wheel" });
+    await wheel.getByText("Z", { exact: true }).click();
+    await wheel.getByRole("button", { name: "+100" }).click();
+    await until("Z at 300", () => axisOf("cmd-4cr", "Z"), ({ position, speed }) => position === 300 && speed === 0);
+    await wheel.getByRole("button", { name: "−10", exact: true }).click();
+    await until("Z at 270", () => axisOf("cmd-4cr", "Z"), ({ position, speed }) => position === 270 && speed === 0);
+    await server.say("cmd-4cr", "MPEZ=0");
+  });
+});
+
+/** Power cycle, or cut after a question; then the controller has started again. */
+async function switchOff(page: Page, button: "Power cycle" | "Power cut"): Promise<void> {
+  await page.getByRole("region", { name: "Power and faults" }).getByRole("button", { name: button }).click();
+  if (button === "Power cut") await page.getByRole("button", { name: "Cut", exact: true }).click();
+  await page.getByRole("status").getByText(button === "Power cut" ? "Power cut" : "Switched off and on").waitFor();
+  await until("it answers", () => server.say("pmx-2ed", "ID"), (reply) => reply.startsWith("PERFORMAX"));
+}
+
+test("the power goes and comes back: what was stored is kept, what was not is gone", async () => {
+  await look(server, "#/pmx-2ed/io", async (page) => {
+    for (const [button, moves] of [["Power cycle", false], ["Power cut", true]] as const) {
+      for (const line of ["EO=3", "V5=77", "LCAX=4000", "STORE", "LCAX=1500"]) await server.say("pmx-2ed", line);
+      if (moves) {
+        await server.ask("POST", "/devices/pmx-2ed/act", { do: "jog", axis: "X", direction: 1 });
+        await until("X moves", () => axisOf("pmx-2ed", "X"), ({ speed }) => speed > 0);
+      }
+      await switchOff(page, button);
+      await until("V5 is gone", () => server.say("pmx-2ed", "V5"), (reply) => reply === "0");
+      assert.equal(await server.say("pmx-2ed", "LCAX"), "4000");
+      const { position, speed, enabled } = await axisOf("pmx-2ed", "X");
+      assert.deepEqual({ position, speed, enabled }, { position: 0, speed: 0, enabled: false });
+      // The page goes on by itself.
+      const machine = page.getByRole("region", { name: "Machine" });
+      await until("the counter is shown", () => machine.innerText(), (text) => /counter 0\b/.test(text));
+    }
+  });
+});
+
+test("faults on purpose", async () => {
   await look(server, "#/pmx-2ed/io", async (page) => {
     const faults = page.getByRole("region", { name: "Power and faults" });
     await faults.getByLabel("Kind").selectOption({ label: "stuck switch" });
@@ -84,10 +176,5 @@ test("faults on purpose, and the power", async () => {
     assert.equal((await server.ask<unknown[]>("GET", "/devices/pmx-2ed/faults")).length, 1);
     await faults.getByRole("button", { name: "Clear stuck switch" }).click();
     await faults.getByText("There is none.").waitFor();
-
-    await server.ask("POST", "/devices/pmx-2ed/terminal", { line: "V5=77" });
-    await faults.getByRole("button", { name: "Power cycle" }).click();
-    const read = () => server.ask<{ reply: string }>("POST", "/devices/pmx-2ed/terminal", { line: "V5" });
-    await until("it has started again", read, ({ reply }) => reply === "0");
   });
 });

@@ -10,7 +10,7 @@ let other: Server;
 before(async () => {
   server = await Server.start();
   // What is connected to as a real controller: its wire is all that is known of it.
-  other = await Server.start(["pmx-2ed=far@tcp:127.0.0.1:0"]);
+  other = await Server.start({ devices: ["pmx-2ed=far@tcp:127.0.0.1:0"] });
 });
 after(async () => {
   await server.stop();

@@ -92,6 +92,65 @@ test("a breakpoint holds the controller, which is stepped line by line, watched 
   });
 });
 
+const LOOP = `PRG 0
+V1=0
+WHILE 1=1
+  V1=V1+1
+  GOSUB 3
+ENDWHILE
+END
+SUB 3
+  V2=V1*10
+  DELAY=20
+ENDSUB
+`;
+
+test("A-SCRIPT is held at a breakpoint, stepped into a subroutine, watched and animated", async () => {
+  await look(server, "#/cmd-4cr/program", async (page) => {
+    await write(page, LOOP);
+    await press(page, "Download");
+    await page.getByText("as in the controller").waitFor();
+    const gutter = page.locator(".cm-breakpoints .cm-gutterElement");
+    const breakpoints = page.locator(".cm-breakpoint");
+    // Line 4, `V1=V1+1`; the first element of a gutter is its spacer.
+    await gutter.nth(4).click();
+    await breakpoints.nth(1).waitFor({ state: "attached" });
+    await press(page, "Run Program 0");
+    await threads(page).getByText("held").waitFor();
+    await threads(page).getByText("line 4").waitFor();
+    const variable = (name: string) => page.getByRole("table", { name: "Variables" }).getByLabel(name, { exact: true });
+    const shows = (name: string, value: string) => until(name, () => variable(name).inputValue(), (shown) => shown === value);
+    await shows("V1", "0");
+
+    for (const line of [5, 8, 9, 10]) {
+      await press(page, "Step");
+      await threads(page).getByText(`line ${line}`, { exact: true }).waitFor();
+    }
+    await shows("V1", "1");
+    await shows("V2", "10");
+    // What has just changed is marked, with what it was.
+    await page.getByRole("row").filter({ has: page.getByLabel("V2", { exact: true }) }).getByText("0 →").waitFor();
+    assert.equal(await server.say("cmd-4cr", "V2"), "10");
+    await press(page, "Go on");
+    await threads(page).getByText("line 4", { exact: true }).waitFor();
+    await press(page, "Go on");
+    await shows("V1", "2");
+
+    await gutter.nth(4).click();
+    await breakpoints.nth(1).waitFor({ state: "detached" });
+    await page.getByLabel("Lines a second").selectOption("10");
+    await press(page, "Animate");
+    // Round the loop by itself, line by line.
+    await until("it goes round", async () => Number(await variable("V1").inputValue()), (rounds) => rounds >= 4);
+    await press(page, "Animate");
+    await threads(page).getByText("held").waitFor();
+    await press(page, "Go on");
+    await threads(page).getByText("running").waitFor();
+    await press(page, "Stop Program 0");
+    await until("it stands", () => threads(page).getByText("idle").count(), (count) => count >= 1);
+  });
+});
+
 test("programs of a Performax: two at once, paused and continued, uploaded again", async () => {
   await look(server, "#/pmx-2ed/program", async (page) => {
     await write(page, "PRG 0\nV1=0\nWHILE 1=1\nV1=V1+1\nDELAY=20\nENDWHILE\nEND\nPRG 1\nV2=7\nDELAY=60000\nEND\n");

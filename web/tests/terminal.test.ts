@@ -1,6 +1,7 @@
 // The terminal, and what goes over the wire.
 
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { Server, look, picture, until, withBrowser } from "./bench.ts";
 
@@ -59,5 +60,25 @@ test("TMCL mnemonics in direct mode, and every frame in hex and in words", async
     await page.getByLabel("Filter").fill("MVP");
     await traffic.getByText("01 04 00 00 00 00 13 88 A0").waitFor();
     await traffic.getByText(/MVP ABS/).first().waitFor();
+  });
+});
+
+test("traffic is saved as it was filtered", async () => {
+  await look(server, "#/pmx-2ed/terminal", async (page) => {
+    const line = page.getByLabel("Command", { exact: true });
+    await line.fill("V9=4711");
+    await line.press("Enter");
+    const traffic = page.getByRole("region", { name: "Traffic", exact: true });
+    await traffic.getByLabel("Filter").fill("V9=");
+    await traffic.getByRole("cell", { name: /V9=4711/ }).waitFor();
+    const saved = page.waitForEvent("download");
+    await traffic.getByRole("button", { name: "Export" }).click();
+    const file = await saved;
+    assert.equal(file.suggestedFilename(), "pmx-2ed-traffic.csv");
+    const rows = (await readFile(await file.path(), "utf8")).trim().split("\r\n");
+    assert.equal(rows.length, 2);
+    assert.equal(rows[0], "seconds,direction,hex,text");
+    // 56 39 3D 34 37 31 31 is V9=4711.
+    assert.match(rows[1]!, /^\d+\.\d+,out,.*56 39 3D 34 37 31 31.*V9=4711/);
   });
 });

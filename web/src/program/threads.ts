@@ -89,7 +89,7 @@ class Threads extends LitElement {
       <tr>
         <th scope="row">${name}</th>
         <td><span class="badge ${held ? "warn" : STATES[state]}">${held ? "held" : state}</span></td>
-        <td class="line muted">${line === null ? `address ${counter}` : `line ${line}`}</td>
+        <td class="line muted">${state === "idle" && !held ? nothing : line === null ? `address ${counter}` : `line ${line}`}</td>
         <td>
           <span class="row">
             ${button("run", "Run", state === "idle" || state === "error", "primary")}

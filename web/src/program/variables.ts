@@ -10,7 +10,7 @@ import { attempt, say } from "../ui/toast.ts";
 
 /** Between two looks while a program runs. */
 const LOOK_MS = 500;
-/** How long a change is marked. */
+/** How long a change is marked while programs run. */
 const MARKED_MS = 2000;
 
 /** V2 comes before V10. */
@@ -101,7 +101,7 @@ class Variables extends LitElement {
     this.#asking = true;
     try {
       this.#take(await this.api.variables(this.name));
-      if (this.running || this.#changed.size > 0) this.#soon(LOOK_MS);
+      if (this.moment === null && (this.running || this.#changed.size > 0)) this.#soon(LOOK_MS);
     } catch {
       // The banner says that the device is lost; when it is back, something else asks.
       this.#soon(4 * LOOK_MS);
@@ -112,11 +112,16 @@ class Variables extends LitElement {
 
   #take(values: Record<string, Value>): void {
     const now = performance.now();
-    for (const [id, { at }] of this.#changed) if (now - at > MARKED_MS) this.#changed.delete(id);
-    for (const [id, value] of Object.entries(values)) {
-      const before = this.values[id];
-      if (before !== undefined && before !== value) this.#changed.set(id, { at: now, from: before });
+    const changed = Object.entries(values).flatMap(([id, value]) => {
+      const from = this.values[id];
+      return from === undefined || from === value ? [] : [[id, { at: now, from }] as const];
+    });
+    // What a step has changed stays marked until another one changes something.
+    const held = this.moment !== null;
+    for (const [id, { at }] of this.#changed) {
+      if (held ? changed.length > 0 : now - at > MARKED_MS) this.#changed.delete(id);
     }
+    for (const [id, change] of changed) this.#changed.set(id, change);
     this.values = values;
   }
 

@@ -37,7 +37,7 @@ class Homing extends Tab {
     const { homing, axes } = this.catalog;
     const mode = homing.find(({ id }) => id === this.mode);
     return html`
-      <div class="panel stack">
+      <section class="panel stack" aria-label="Home">
         <div class="row"><h2 class="grow">Home</h2>
           ${axisPicker(axes, this.axis, "home-axis", (axis) => (this.axis = axis))}
         </div>
@@ -58,7 +58,7 @@ class Homing extends Tab {
               : nothing,
           )}
         </div>
-      </div>
+      </section>
     `;
   }
 

@@ -1,4 +1,4 @@
-import{C as e,b as t,p as n,x as r,y as i}from"./index-s35lNoxE.js";var a=e`
+import{C as e,b as t,p as n,x as r,y as i}from"./index-D2xj8AhC.js";var a=e`
   .lamp {
     display: inline-flex;
     align-items: center;

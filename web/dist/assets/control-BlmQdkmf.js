@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-s35lNoxE.js";import{n as p,t as m}from"./hold-1Oie2uuf.js";import{t as h}from"./tab-DfsAwro-.js";import"./curves-3Wn8JM4d.js";import{t as g}from"./axis-picker-Bdt-H6x7.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-D2xj8AhC.js";import{n as p,t as m}from"./hold-Bmt1YFlm.js";import{t as h}from"./tab-DqdSvliO.js";import"./curves-ig2qnf7-.js";import{t as g}from"./axis-picker-DNw-7pBb.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -151,7 +151,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         color: var(--muted);
       }
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:e,axes:t}=this.catalog,r=e.find(({id:e})=>e===this.mode);return f`
-      <div class="panel stack">
+      <section class="panel stack" aria-label="Home">
         <div class="row"><h2 class="grow">Home</h2>
           ${g(t,this.axis,`home-axis`,e=>this.axis=e)}
         </div>
@@ -168,7 +168,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
                   ${e===`-`?`◀ Home −`:`Home + ▶`}
                 </button>`:n)}
         </div>
-      </div>
+      </section>
     `}#e(e){let{axis:t,mode:n}=this;d(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,v);var y=class extends h{static properties={...h.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[c,e`
       .panel {
         height: 100%;

@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-s35lNoxE.js";import{t as p}from"./tab-DfsAwro-.js";import{t as m}from"./axis-picker-Bdt-H6x7.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
+import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-D2xj8AhC.js";import{t as p}from"./tab-DqdSvliO.js";import{t as m}from"./axis-picker-DNw-7pBb.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));

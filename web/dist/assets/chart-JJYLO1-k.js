@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-s35lNoxE.js";import"./curves-3Wn8JM4d.js";import{t as r}from"./tab-DfsAwro-.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
