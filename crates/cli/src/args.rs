@@ -166,6 +166,9 @@ pub struct DebugArgs {
     /// Drive a pin (true, false or a number) at a time in seconds, or `release` it
     #[arg(long, value_name = "TIME:PIN=VALUE")]
     pub at: Vec<TimedInput>,
+    /// Faults of the machine, and when they begin
+    #[arg(long, value_name = "FILE")]
+    pub scenario: Option<PathBuf>,
 }
 
 /// Arguments of `replay`.

@@ -21,9 +21,13 @@ fn launch(launch: &dap::Launch) -> Result<Debugger, String> {
     let config = run::config(launch.bench.as_deref(), model).map_err(line)?;
     let inputs = launch.at.iter().map(|input| input.parse()).collect::<Result<_, _>>();
     let inputs = inputs.map_err(|error: sim::device::TimedInputError| error.to_string())?;
+    let faults = run::faults(launch.scenario.as_deref(), &config, &|place| {
+        programs::address(&code, &launch.program, place)
+    });
+    let faults = faults.map_err(line)?;
     let seconds = launch.seconds.unwrap_or(DEFAULT_SECONDS);
     if !(0.0..=1e9).contains(&seconds) {
         return Err(format!("`for`: {seconds} is no time in seconds"));
     }
-    Debugger::new(Target { code, config, inputs }, seconds).map_err(|error| error.to_string())
+    Debugger::new(Target { code, config, inputs, faults }, seconds).map_err(|error| error.to_string())
 }

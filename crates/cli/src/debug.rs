@@ -13,10 +13,19 @@ use std::{
     cell::RefCell,
     io::{BufRead, IsTerminal, Read, Write, stderr, stdin, stdout},
     rc::Rc,
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+    },
+    thread,
 };
+use tokio::signal::unix::{SignalKind, signal};
 
 /// Longest line that is read from what is no terminal.
 const MAX_LINE_BYTES: u64 = 1 << 16;
+
+/// What is said to Ctrl-C where nothing runs.
+const HINT: &str = "nothing runs; `quit` or Ctrl-D leaves\n";
 
 /// Debugs a program until somebody leaves.
 pub fn debug(args: DebugArgs) -> Outcome {
@@ -25,7 +34,10 @@ pub fn debug(args: DebugArgs) -> Outcome {
     let _ = stderr().write_all(said.as_bytes());
     let code = code.ok_or(Failure::Told(FAILED))?;
     let config = run::config(args.bench.as_deref(), args.device)?;
-    let debugger = Debugger::new(Target { code, config, inputs: args.at }, args.limit_s)
+    let faults = run::faults(args.scenario.as_deref(), &config, &|place| {
+        programs::address(&code, &args.program, place)
+    })?;
+    let debugger = Debugger::new(Target { code, config, inputs: args.at, faults }, args.limit_s)
         .map_err(|error| Failure::Line(format!("{}: {error}", args.program.display())))?;
     let mut console = Console::new(debugger);
     programs::show(&console.greeting())?;
@@ -53,22 +65,42 @@ fn scripted(mut console: Console) -> Outcome {
 fn at_terminal(console: Console) -> Outcome {
     let console = Rc::new(RefCell::new(console));
     let config = Config::builder().auto_add_history(true).build();
+    let interrupt = interrupts()?;
+    console.borrow_mut().debugger().set_interrupt(interrupt.clone());
     let mut editor: Editor<Completion, MemHistory> = Editor::with_history(config, MemHistory::new())?;
     editor.set_helper(Some(Completion(console.clone())));
     loop {
         match editor.readline(PROMPT) {
             Ok(line) => {
+                // What came while nothing ran is over.
+                interrupt.store(false, Ordering::Relaxed);
                 let answer = console.borrow_mut().execute(&line);
                 stdout().write_all(answer.text.as_bytes())?;
                 if answer.quits {
                     return Ok(());
                 }
             }
-            Err(ReadlineError::Interrupted) => {}
+            Err(ReadlineError::Interrupted) => programs::show(HINT)?,
             Err(ReadlineError::Eof) => return Ok(()),
             Err(error) => return Err(error.into()),
         }
     }
+}
+
+/// A flag that Ctrl-C sets, instead of ending the process.
+fn interrupts() -> std::io::Result<Arc<AtomicBool>> {
+    let flag: Arc<AtomicBool> = Arc::default();
+    let set = flag.clone();
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_io().build()?;
+    let mut signals = runtime.block_on(async { signal(SignalKind::interrupt()) })?;
+    thread::spawn(move || {
+        runtime.block_on(async {
+            while signals.recv().await.is_some() {
+                set.store(true, Ordering::Relaxed);
+            }
+        });
+    });
+    Ok(flag)
 }
 
 /// Completes commands, labels, registers and pins.

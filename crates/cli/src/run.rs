@@ -1,16 +1,12 @@
 //! `pulsetrain run`
 
-use crate::{
-    Failure, Outcome,
-    args::RunArgs,
-    programs::{self, Loaded},
-};
+use crate::{Failure, Outcome, args::RunArgs, programs};
 use devices::{Model, ProgramRun};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sim::{
     Bench, DeviceConfig, RunOptions, RunResult, Scenario, SharedFlash, VirtualDevice,
     device::notice_text,
-    fault::Planned,
+    fault::{Planned, scenario::Find},
     record::{self, Picture},
     run::Progress,
     tape::{self, Tape},
@@ -37,7 +33,7 @@ const SEED: u64 = 0;
 pub fn run(args: RunArgs) -> Outcome {
     let loaded = programs::load(&args.program, args.device)?;
     let config = config(args.bench.as_deref(), args.device)?;
-    let faults = faults(&args, &loaded, &config)?;
+    let faults = faults(args.scenario.as_deref(), &config, &|place| loaded.find(&args.program, place))?;
     let flash = SharedFlash::erased(config.model.flash_bytes);
     let head = [(&config, config.seed.unwrap_or(SEED), &flash)];
     let (tapes, files): (Vec<_>, Vec<_>) = args.record.iter().partition(|path| tape::is_tape(path));
@@ -89,11 +85,14 @@ pub fn config(bench: Option<&Path>, model: &'static Model) -> Result<DeviceConfi
     found.ok_or_else(|| Failure::Line(format!("{}: there is no {}", file.display(), model.name)))
 }
 
-/// The faults of the scenario, which may name lines and labels of the program.
-fn faults(args: &RunArgs, loaded: &Loaded, config: &DeviceConfig) -> Result<Vec<Planned>, Failure> {
-    let Some(file) = &args.scenario else { return Ok(Vec::new()) };
-    let scenario =
-        Scenario::read(file, std::slice::from_ref(config), &|place| loaded.find(&args.program, place))?;
+/// The faults of a scenario, if there is one; `find` knows the lines and labels of the program that it may name.
+pub fn faults(
+    scenario: Option<&Path>,
+    config: &DeviceConfig,
+    find: Find<'_>,
+) -> Result<Vec<Planned>, Failure> {
+    let Some(file) = scenario else { return Ok(Vec::new()) };
+    let scenario = Scenario::read(file, std::slice::from_ref(config), find)?;
     Ok(scenario.of(0).cloned().collect())
 }
 

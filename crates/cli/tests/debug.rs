@@ -73,6 +73,159 @@ fn what_cannot_be_debugged_is_refused() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("wrong.prg:2"));
 }
 
+/// A motor that is pushed, and a switch that sticks, at a label and at a line.
+const FAULTS: &str = "\
+[[fault]]
+on = { label = \"SUB1\" }
+kind = \"stuck_switch\"
+pin = \"DI1\"
+value = true
+[[fault]]
+on = { line = 12 }
+kind = \"extra_load\"
+axis = \"X\"
+load = 2.0
+";
+
+#[test]
+fn faults_come_and_go() {
+    let directory = directory(&[
+        ("stage.prg", STAGE),
+        ("faults.toml", FAULTS),
+        ("wrong.toml", &FAULTS.replace("12", "99")),
+        ("other.toml", &FAULTS.replace("SUB1", "SUB7")),
+    ]);
+    let arguments = ["stage.prg", "--device", "pmx-2ed", "--scenario", "faults.toml"];
+    let said =
+        session(&directory, &arguments, "p DI1\nwatch DI1\nc\np EX\nrc\np DI1\nc\nuntil 5\np EX PX\nquit\n");
+    let told = |text: &str| assert!(said.contains(text), "{text}: {said}");
+    told("(debug) c\nwatch 1: DI1 was 0, is 1\n");
+    told("(debug) rc\nat the start\n0.000000 s, program 0\n    1 > PRG 0\n(debug) p DI1\nDI1 = 0\n");
+    told("EX = 1000\nPX = 0\n");
+    let wrong = |scenario, expected: &str| {
+        refused(&directory, &["debug", "stage.prg", "--device", "pmx-2ed", "--scenario", scenario], expected);
+    };
+    wrong("wrong.toml", "wrong.toml:7: fault.on: line: nothing of line 99");
+    wrong("other.toml", "there is no `SUB7` in stage.prg");
+
+    let mut editor = Editor::start(&directory);
+    let launch = json!({ "program": "stage.prg", "device": "pmx-2ed", "stopOnEntry": true, "scenario": "faults.toml" });
+    editor.ask("launch", launch);
+    editor.event("initialized");
+    editor.ask("configurationDone", json!({}));
+    editor.stopped("entry", 1);
+    assert_eq!(editor.value("DI1"), "0");
+    for line in [2, 3, 4, 8, 9] {
+        editor.go("stepIn", 1, "step", line);
+    }
+    assert_eq!(editor.value("DI1"), "1");
+}
+
+/// Somebody at a terminal, which is the program's own.
+#[cfg(target_os = "linux")]
+struct Terminal {
+    child: Child,
+    keys: std::fs::File,
+    screen: mpsc::Receiver<Vec<u8>>,
+    said: String,
+}
+
+#[cfg(target_os = "linux")]
+impl Terminal {
+    /// `setsid` of util-linux makes the terminal the one whose Ctrl-C is a signal.
+    fn start(directory: &Path, arguments: &[&str]) -> Self {
+        use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+        let master = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY | OpenptFlags::CLOEXEC).unwrap();
+        grantpt(&master).unwrap();
+        unlockpt(&master).unwrap();
+        let name = ptsname(&master, Vec::new()).unwrap().into_string().unwrap();
+        let open = || std::fs::OpenOptions::new().read(true).write(true).open(&name).unwrap();
+        let child = std::process::Command::new("setsid")
+            .args(["--ctty", env!("CARGO_BIN_EXE_pulsetrain")])
+            .args(arguments)
+            .current_dir(directory)
+            .env("TERM", "xterm")
+            .stdin(open())
+            .stdout(open())
+            .stderr(open())
+            .spawn()
+            .unwrap();
+        let keys = std::fs::File::from(master);
+        let mut output = keys.try_clone().unwrap();
+        let (sender, screen) = mpsc::channel();
+        thread::spawn(move || {
+            let mut buffer = [0; 4096];
+            while let Ok(count @ 1..) = output.read(&mut buffer) {
+                if sender.send(buffer[..count].to_vec()).is_err() {
+                    return;
+                }
+            }
+        });
+        Self { child, keys, screen, said: String::new() }
+    }
+
+    fn press(&mut self, keys: &str) {
+        self.keys.write_all(keys.as_bytes()).unwrap();
+    }
+
+    /// Whether this text comes within so long; what came before it is forgotten.
+    fn says(&mut self, text: &str, patience: std::time::Duration) -> bool {
+        let end = std::time::Instant::now() + patience;
+        loop {
+            if let Some(at) = self.said.find(text) {
+                self.said.drain(..at + text.len());
+                return true;
+            }
+            let left = end.saturating_duration_since(std::time::Instant::now());
+            match self.screen.recv_timeout(left) {
+                Ok(bytes) => self.said += &String::from_utf8_lossy(&bytes),
+                Err(_) => return false,
+            }
+        }
+    }
+
+    #[track_caller]
+    fn expect(&mut self, text: &str) {
+        assert!(self.says(text, PATIENCE), "`{text}` does not come: {}", self.said);
+    }
+}
+
+#[cfg(target_os = "linux")]
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn control_c_stops_what_runs_and_nothing_else() {
+    let directory = directory(&[("loop.tmc", "l: JA l\n")]);
+    let arguments = ["debug", "loop.tmc", "--device", "pd42-1140", "--for", "1000000"];
+    let mut terminal = Terminal::start(&directory, &arguments);
+    terminal.expect("(debug) ");
+    terminal.press("\x03");
+    terminal.expect("nothing runs; `quit` or Ctrl-D leaves");
+    terminal.expect("(debug) ");
+    for command in ["continue\r", "until 900000s\r"] {
+        terminal.press(command);
+        // The terminal takes it for a key until the line has been read.
+        while {
+            terminal.press("\x03");
+            !terminal.says("interrupted", std::time::Duration::from_millis(100))
+        } {
+            assert!(terminal.child.try_wait().unwrap().is_none(), "it has ended: {}", terminal.said);
+        }
+        terminal.expect("l: JA l");
+        terminal.expect("(debug) ");
+    }
+    terminal.press("print A\r");
+    terminal.expect("A = 0");
+    terminal.press("quit\r");
+    assert_eq!(terminal.child.wait().unwrap().code(), Some(0));
+}
+
 /// An editor.
 struct Editor {
     child: Child,

@@ -1,7 +1,7 @@
 //! A program and the sources that it comes from.
 
 use ascript::compiler;
-use sim::Program;
+use sim::{Program, fault};
 use source::Source;
 use tmcl::asm::Assembly;
 
@@ -90,6 +90,18 @@ impl Code {
         let name: String = name.split_whitespace().collect();
         let same = |label: &&Label| label.name.eq_ignore_ascii_case(&name);
         self.labels.iter().find(same).map(|label| label.address)
+    }
+
+    /// The address of a place that a scenario names: a line of the main source that becomes something, or a label.
+    pub fn address(&self, place: &fault::Place<'_>) -> Option<u16> {
+        match *place {
+            fault::Place::Line(line) => {
+                let line = Place { file: 0, line: line as usize };
+                let address = self.places.iter().position(|place| *place == line)?;
+                Some(address as u16)
+            }
+            fault::Place::Label(name) => self.label(name),
+        }
     }
 
     /// All labels, by address.

@@ -3,7 +3,7 @@
 use crate::{
     code::Place,
     stop::{self, Breakpoint, Condition, Stop, Watch},
-    timeline::{Deed, Point, Session, Target},
+    timeline::{Deed, Point, Session, Target, next_second},
 };
 use devices::ProgramRun;
 use motion::Ticks;
@@ -299,7 +299,9 @@ impl Debugger {
         self.session.execute();
         let next = self.deeds.iter().find(|deed| deed.at > self.session.point).map(|deed| deed.at);
         let until = next.map_or(until, |point| point.clock.min(until));
-        let running = self.session.device.programs().any(|program| program.run == ProgramRun::Running);
+        let device = &self.session.device;
+        let running = device.programs().any(|program| program.run == ProgramRun::Running);
+        let until = if running { next_second(device).min(until) } else { until };
         self.session.arrive(until, !self.watches.is_empty() || !running);
         let here = self.session.point;
         for deed in self.deeds.iter().filter(|deed| deed.at == here) {
@@ -350,7 +352,9 @@ impl Debugger {
     /// Whether the programs have ended, and the axes stand.
     fn at_rest(&mut self, search: &mut Search) -> Option<Stop> {
         let device = &mut self.session.device;
-        if device.programs().any(|program| matches!(program.run, ProgramRun::Running | ProgramRun::Paused)) {
+        let goes_on = |run| matches!(run, ProgramRun::Running | ProgramRun::Paused);
+        // Without a supply they have not ended: they may start again.
+        if !device.is_powered() || device.programs().any(|program| goes_on(program.run)) {
             search.ended = None;
             return None;
         }
@@ -361,8 +365,21 @@ impl Debugger {
         (standing || coasted).then_some(Stop::Ended)
     }
 
-    /// The last point before this one at which going forward would stop.
+    /// To the last point before this one at which going forward would stop. Whoever interrupts it stays here.
     fn backward(&mut self, goal: Goal) -> Result<Stop, RunError> {
+        let mut home = None;
+        let stop = self.look_back(goal, &mut home)?;
+        if stop == Stop::Interrupted {
+            self.interrupt.store(false, Ordering::Relaxed);
+            if let Some(home) = home {
+                self.session = home;
+            }
+        }
+        Ok(stop)
+    }
+
+    /// The same; `home` is the session that was left.
+    fn look_back(&mut self, goal: Goal, home: &mut Option<Session>) -> Result<Stop, RunError> {
         let (here, mut search) = (self.session.point, self.search(goal));
         if here <= self.start {
             return Ok(Stop::Start);
@@ -377,27 +394,26 @@ impl Debugger {
             } else {
                 Point { clock: from, round: 0, line: Point::OVER }
             };
-            if let Some((point, stop)) = self.last_stop(from, end, &mut search)? {
-                self.travel(point)?;
-                return Ok(stop);
+            if !self.travel(from, home)? {
+                return Ok(Stop::Interrupted);
             }
-            if from == self.start || self.interrupt.swap(false, Ordering::Relaxed) {
-                self.travel(from)?;
-                return Ok(if from == self.start { Stop::Start } else { Stop::Interrupted });
+            let last = self.last_stop(from, end, &mut search);
+            let is_interrupted = self.interrupt.load(Ordering::Relaxed);
+            let there = match last {
+                _ if is_interrupted => return Ok(Stop::Interrupted),
+                Some((point, stop)) => Some((point, stop)),
+                None => (from == self.start).then_some((from, Stop::Start)),
+            };
+            if let Some((point, stop)) = there {
+                return Ok(if self.travel(point, home)? { stop } else { Stop::Interrupted });
             }
             end = from;
             span = span.saturating_mul(2);
         }
     }
 
-    /// The last stop from one point to before another.
-    fn last_stop(
-        &mut self,
-        from: Point,
-        end: Point,
-        search: &mut Search,
-    ) -> Result<Option<(Point, Stop)>, RunError> {
-        self.travel(from)?;
+    /// The last stop from this point, which was travelled to, to before another.
+    fn last_stop(&mut self, from: Point, end: Point, search: &mut Search) -> Option<(Point, Stop)> {
         for watch in &mut self.watches {
             watch.value = stop::value(&mut self.session.device, &watch.name).unwrap_or(watch.value);
         }
@@ -417,15 +433,21 @@ impl Debugger {
             }
             self.advance(end.clock);
             if self.session.point >= end || self.interrupt.load(Ordering::Relaxed) {
-                return Ok(last);
+                return last;
             }
         }
     }
 
-    /// To a point of the past.
-    fn travel(&mut self, point: Point) -> Result<(), RunError> {
-        self.session = Session::at(&self.target, &self.deeds, point)?;
-        Ok(())
+    /// To a point of the past; the first session that is left goes `home`. False if somebody interrupts it: it stays
+    /// where it is then.
+    fn travel(&mut self, point: Point, home: &mut Option<Session>) -> Result<bool, RunError> {
+        let session = Session::at(&self.target, &self.deeds, point, &self.interrupt)?;
+        let arrives = session.is_some();
+        if let Some(session) = session {
+            let left = std::mem::replace(&mut self.session, session);
+            home.get_or_insert(left);
+        }
+        Ok(arrives)
     }
 
     /// The value of a quantity or a pin.

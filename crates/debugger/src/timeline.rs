@@ -4,9 +4,11 @@ use crate::code::Code;
 use motion::Ticks;
 use sim::{
     DeviceConfig, SharedFlash, TimedInput, VirtualDevice,
+    fault::Planned,
     run::{self, RunError},
     tape::{self, Act},
 };
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Seed of a device whose bench file has none: that of `pulsetrain run`.
 const SEED: u64 = 0;
@@ -36,6 +38,8 @@ pub struct Target {
     pub config: DeviceConfig,
     /// Inputs that change on the way; times count from the start of the program.
     pub inputs: Vec<TimedInput>,
+    /// Faults on the way, as in [`RunOptions`](sim::RunOptions).
+    pub faults: Vec<Planned>,
 }
 
 /// Something that was done to the device, and when.
@@ -70,25 +74,34 @@ impl Session {
         for timed in &target.inputs {
             device.schedule(start.saturating_add(device.ticks(timed.seconds)), &timed.input)?;
         }
+        for planned in &target.faults {
+            device.plan(planned)?;
+        }
         run::start(&mut device, &target.code.program)?;
         let mut session = Self { device, point: Point { clock: start, round: 0, line: 0 }, held: None };
         session.arrive(start, false);
         Ok(session)
     }
 
-    /// The same at a later point, after all deeds up to there.
+    /// The same at a later point, after all deeds up to there; `None` if somebody interrupts it on the way.
     ///
     /// # Errors
     /// [`RunError`].
-    pub fn at(target: &Target, deeds: &[Deed], point: Point) -> Result<Self, RunError> {
+    pub fn at(
+        target: &Target,
+        deeds: &[Deed],
+        point: Point,
+        interrupt: &AtomicBool,
+    ) -> Result<Option<Self>, RunError> {
         let mut session = Self::start(target)?;
         for deed in deeds.iter().take_while(|deed| deed.at <= point) {
-            session.play(deed.at);
+            if !session.play(deed.at, interrupt) {
+                return Ok(None);
+            }
             let done = session.perform(&deed.act);
             assert!(done.is_ok(), "what could be done once can be done again");
         }
-        session.play(point);
-        Ok(session)
+        Ok(session.play(point, interrupt).then_some(session))
     }
 
     /// Goes to the next line that is due, but no further than the end of clock `until`, or the next thing that
@@ -118,17 +131,27 @@ impl Session {
     /// # Errors
     /// What the device says against it.
     pub fn perform(&mut self, act: &Act) -> Result<(), String> {
-        tape::perform(&mut self.device, act)
+        tape::perform(&mut self.device, act)?;
+        // A fault that waited for this may have taken the supply away.
+        self.held = self.held.filter(|_| self.device.is_held());
+        Ok(())
     }
 
-    /// Goes on to a point that was arrived at before, without looking at the lines on the way.
-    fn play(&mut self, point: Point) {
+    /// Goes on to a point that was arrived at before, without looking at the lines on the way; false if somebody
+    /// interrupts it.
+    fn play(&mut self, point: Point, interrupt: &AtomicBool) -> bool {
         assert!(point >= self.point, "a device goes forward only");
         let over = point.line == Point::OVER;
         // Nobody needs to see what comes before the clock.
         let clock = if over { point.clock } else { point.clock.saturating_sub(1) };
         if clock > self.point.clock || over && point != self.point {
             self.device.release_lines();
+            while self.device.now() < clock {
+                if interrupt.load(Ordering::Relaxed) {
+                    return false;
+                }
+                self.device.advance(next_second(&self.device).min(clock));
+            }
             self.device.advance(clock);
             self.point = if over { point } else { Point { clock, round: 0, line: Point::OVER } };
             self.held = None;
@@ -138,5 +161,12 @@ impl Session {
             self.arrive(point.clock, false);
         }
         assert!(self.point == point, "a run is a function of its input");
+        true
     }
+}
+
+/// The next whole second of device time: nobody who interrupts a device waits for longer than it takes to get there.
+pub fn next_second(device: &VirtualDevice) -> Ticks {
+    let second = Ticks::from(device.clock_hz());
+    (device.now() / second + 1).saturating_mul(second)
 }

@@ -3,7 +3,7 @@
 use ascript::compile;
 use debugger::{Code, Debugger, Direction, Goal, Stop, Target, code::Place};
 use devices::Language;
-use sim::{DeviceConfig, tape::Act};
+use sim::{DeviceConfig, Scenario, fault, tape::Act};
 use source::Source;
 use tmcl::asm::{NoFiles, assemble};
 
@@ -60,6 +60,11 @@ ENDSUB
 ";
 
 fn debugger(model: &str, source: &str, inputs: &[&str]) -> Debugger {
+    with_faults(model, source, inputs, "")
+}
+
+/// The same with a scenario.
+fn with_faults(model: &str, source: &str, inputs: &[&str], scenario: &str) -> Debugger {
     let model = devices::model(model).unwrap();
     let code = match model.language {
         Language::Tmcl => Code::tmcl(assemble("a.tmc", source.as_bytes(), &NoFiles)).unwrap(),
@@ -69,7 +74,11 @@ fn debugger(model: &str, source: &str, inputs: &[&str]) -> Debugger {
         }
     };
     let inputs = inputs.iter().map(|input| input.parse().unwrap()).collect();
-    Debugger::new(Target { code, config: DeviceConfig::new(model), inputs }, 100.0).unwrap()
+    let config = DeviceConfig::new(model);
+    let find = |place: &fault::Place<'_>| code.address(place).map(u32::from).ok_or_else(String::new);
+    let scenario = Scenario::parse(scenario, "faults.toml", std::slice::from_ref(&config), &find).unwrap();
+    let faults = scenario.of(0).cloned().collect();
+    Debugger::new(Target { code, config, inputs, faults }, 100.0).unwrap()
 }
 
 /// Everything that can be seen.
@@ -89,8 +98,8 @@ fn go(debugger: &mut Debugger, direction: Direction, goal: Goal) -> Stop {
 }
 
 #[track_caller]
-fn check(model: &str, source: &str, inputs: &[&str], steps: usize) {
-    let mut debugger = debugger(model, source, inputs);
+fn check(model: &str, source: &str, inputs: &[&str], scenario: &str, steps: usize) {
+    let mut debugger = with_faults(model, source, inputs, scenario);
     let mut seen = vec![look(&mut debugger)];
     for number in 0..steps {
         // Somebody meddles now and then.
@@ -117,9 +126,86 @@ fn check(model: &str, source: &str, inputs: &[&str], steps: usize) {
 
 #[test]
 fn steps() {
-    check("pd42-1140", TMCL, &["0.02:HOME=true"], 60);
-    check("pmx-2ed", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], 60);
-    check("cmd-4cr", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], 40);
+    check("pd42-1140", TMCL, &["0.02:HOME=true"], "", 60);
+    check("pmx-2ed", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], "", 60);
+    check("cmd-4cr", ASCRIPT, &["0.05:DI1=true", "0.06:DI1=false"], "", 40);
+}
+
+#[test]
+fn faults() {
+    let scenario = r#"
+        [[fault]]
+        on = { axis = "0", position = 40 }
+        kind = "slip"
+        axis = "0"
+        pulses = 20
+        [[fault]]
+        on = { label = "count" }
+        kind = "stuck_switch"
+        pin = "HOME"
+        value = true
+        duration = 0.004
+        [[fault]]
+        on = { line = 8 }
+        after = 0.001
+        kind = "supply_dip"
+        volts = 20.0
+    "#;
+    check("pd42-1140", TMCL, &["0.02:HOME=true"], scenario, 60);
+    let scenario = r#"
+        [[fault]]
+        on = { axis = "X", motion = "stops" }
+        kind = "stuck_switch"
+        pin = "DI1"
+        value = true
+    "#;
+    check("pmx-2ed", ASCRIPT, &[], scenario, 60);
+    check("cmd-4cr", ASCRIPT, &[], scenario, 40);
+}
+
+#[test]
+fn a_supply_that_goes() {
+    let scenario = "[[fault]]\nat = 0.01\nkind = \"brown_out\"\nduration = 0.02\n";
+    let mut debugger = with_faults("pmx-2ed", ASCRIPT, &[], scenario);
+    let clock = debugger.clock(0.0099);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Clock(clock)), Stop::Time);
+    let before = look(&mut debugger);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::End), Stop::Ended);
+    assert!(debugger.seconds() >= 0.03, "it comes back, and nobody starts its programs");
+    assert_eq!(debugger.value("EO"), Some(sim::PinValue::Number(0.0)));
+    while debugger.seconds() > 0.009 {
+        assert_eq!(go(&mut debugger, Direction::Backward, Goal::Into), Stop::Step);
+    }
+    assert_eq!(debugger.value("EO"), Some(sim::PinValue::Number(3.0)));
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Clock(clock)), Stop::Time);
+    assert_eq!(look(&mut debugger), before);
+}
+
+#[test]
+fn a_hand_that_takes_the_supply_away() {
+    let scenario = "[[fault]]\non = { pin = \"DI2\" }\nkind = \"power_cut\"\n";
+    let mut debugger = with_faults("pmx-2ed", ASCRIPT, &[], scenario);
+    for _ in 0..5 {
+        assert_eq!(go(&mut debugger, Direction::Forward, Goal::Into), Stop::Step);
+    }
+    debugger.drive("DI2", Some(sim::PinValue::Level(true))).unwrap();
+    let dark = look(&mut debugger);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Into), Stop::Time);
+    assert_eq!(go(&mut debugger, Direction::Backward, Goal::Into), Stop::Step);
+    assert_ne!(look(&mut debugger), dark);
+}
+
+#[test]
+fn who_is_interrupted_on_the_way_back_stays() {
+    let mut debugger = debugger("pd42-1140", "l: JA l\n", &[]);
+    let clock = debugger.clock(3.0);
+    assert_eq!(go(&mut debugger, Direction::Forward, Goal::Clock(clock)), Stop::Time);
+    let here = look(&mut debugger);
+    let flag = std::sync::Arc::new(true.into());
+    debugger.set_interrupt(flag);
+    assert_eq!(go(&mut debugger, Direction::Backward, Goal::End), Stop::Interrupted);
+    assert_eq!(look(&mut debugger), here);
+    assert_eq!(go(&mut debugger, Direction::Backward, Goal::Into), Stop::Step);
 }
 
 #[test]

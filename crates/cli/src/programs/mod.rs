@@ -110,10 +110,19 @@ impl Loaded {
                 labels.find(|(name, _)| name.eq_ignore_ascii_case(label)).map(|(_, address)| *address)
             }
         };
-        found.ok_or_else(|| match place {
-            Place::Line(line) => format!("line: nothing of line {line} of {} is executed", file.display()),
-            Place::Label(label) => format!("label: there is no `{label}` in {}", file.display()),
-        })
+        found.ok_or_else(|| not_there(file, place))
+    }
+}
+
+/// The same in a program for the debugger.
+pub fn address(code: &Code, file: &Path, place: &Place<'_>) -> Result<u32, String> {
+    code.address(place).map(u32::from).ok_or_else(|| not_there(file, place))
+}
+
+fn not_there(file: &Path, place: &Place<'_>) -> String {
+    match place {
+        Place::Line(line) => format!("line: nothing of line {line} of {} is executed", file.display()),
+        Place::Label(label) => format!("label: there is no `{label}` in {}", file.display()),
     }
 }
 

@@ -46,7 +46,7 @@ fn console(model: &str, source: &str) -> Console {
             Code::ascript(Source::new("a.prg", source.as_bytes()), compilation.code.expect("it is right"))
         }
     };
-    let target = Target { code, config: DeviceConfig::new(model), inputs: Vec::new() };
+    let target = Target { code, config: DeviceConfig::new(model), inputs: Vec::new(), faults: Vec::new() };
     Console::new(Debugger::new(target, 10.0).expect("it starts"))
 }
 

@@ -58,6 +58,8 @@ pub struct Launch {
     /// Inputs that change on the way: `TIME:PIN=VALUE`.
     #[serde(default)]
     pub at: Vec<String>,
+    /// A scenario: faults of the machine, and when they begin.
+    pub scenario: Option<PathBuf>,
     /// Whether to stop before the first line.
     #[serde(default)]
     pub stop_on_entry: bool,
