@@ -37,7 +37,7 @@ pub use find::find;
 pub use key::{Key, KeyError};
 pub use model::Model;
 pub use stream::{StreamWire, serial, serial_ports, tcp};
-pub use traffic::{TRAFFIC_LENGTH, Traffic, TrafficLog};
+pub use traffic::{TRAFFIC_LENGTH, Traffic, TrafficLog, polling};
 pub use types::{
     Action, Answer, AxisStatus, Direction, Found, Level, ProgramAction, ProgramState, ProgramStatus, Status,
     Value,

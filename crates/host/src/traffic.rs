@@ -6,8 +6,19 @@ use std::{
     sync::{Arc, Mutex, MutexGuard, PoisonError},
     time::Instant,
 };
+use tokio::task_local;
 use ts_rs::TS;
 use utoipa::ToSchema;
+
+task_local! {
+    /// Whether what a task says now is of no interest to whoever looks for commands.
+    static POLLING: bool;
+}
+
+/// Asks something that is asked over and over, and marks it so in the log.
+pub async fn polling<T>(question: impl Future<Output = T>) -> T {
+    POLLING.scope(true, question).await
+}
 
 /// How many messages are remembered.
 pub const TRAFFIC_LENGTH: usize = 2000;
@@ -23,6 +34,9 @@ pub struct Traffic {
     pub hex: String,
     /// What it says.
     pub text: String,
+    /// Whether it was asked to see what the controller is doing, over and over, and not because somebody wanted
+    /// something.
+    pub polled: bool,
 }
 
 /// The newest messages of a wire. Its clones are the same log.
@@ -62,7 +76,8 @@ impl TrafficLog {
 
     /// One more.
     pub(crate) fn note(&self, out: bool, bytes: &[u8], text: String) {
-        let message = Traffic { at: self.seconds(), out, hex: hex(bytes), text };
+        let polled = POLLING.try_with(|polling| *polling).unwrap_or(false);
+        let message = Traffic { at: self.seconds(), out, hex: hex(bytes), text, polled };
         let mut ring = self.ring();
         if ring.messages.len() == TRAFFIC_LENGTH {
             ring.messages.pop_front();
@@ -91,6 +106,15 @@ mod tests {
     fn bytes_in_hexadecimal() {
         assert_eq!(hex(&[]), "");
         assert_eq!(hex(&[1, 10, 255]), "01 0A FF");
+    }
+
+    #[tokio::test]
+    async fn what_is_asked_over_and_over_is_marked() {
+        let log = TrafficLog::default();
+        polling(async { log.note(true, b"ID\r", "ID".into()) }).await;
+        log.note(true, b"PX\r", "PX".into());
+        let marks: Vec<_> = log.since(0).0.iter().map(|it| it.polled).collect();
+        assert_eq!(marks, [true, false]);
     }
 
     #[test]

@@ -633,6 +633,27 @@ model: string,
 title: string, };
 
 /**
+ * Switches of an axis that are moved.
+ */
+export type MovedSwitches = {
+/**
+ * The axis.
+ */
+axis: string,
+/**
+ * The switch at the negative end is on here and below.
+ */
+negative_limit?: number,
+/**
+ * The switch at the positive end is on here and above.
+ */
+positive_limit?: number,
+/**
+ * The home switch is on from the first to the second position.
+ */
+home?: [number, number], };
+
+/**
  * What is to come.
  */
 export type NewDevices = { "bench": string } | { "real": RealDevice };
@@ -704,7 +725,15 @@ stored: boolean,
 /**
  * Whether it is text.
  */
-is_text: boolean, };
+is_text: boolean,
+/**
+ * What it is for, where other models have the same under other names.
+ */
+role: Role | null,
+/**
+ * Whether it can be kept in a file and given back later: no position, output or timer, which would do something.
+ */
+is_setting: boolean, };
 
 /**
  * A pin.
@@ -799,6 +828,11 @@ link: string,
  * Its address, if it is not alone there.
  */
 address?: number, };
+
+/**
+ * What a parameter is for.
+ */
+export type Role = "high_speed" | "low_speed" | "acceleration" | "deceleration" | "own_deceleration" | "s_curve" | "speed_window" | "closed_loop" | "closed_loop_ratio" | "pulser_enable" | "microsteps" | "pulse_divisor" | "ramp_divisor";
 
 /**
  * What axes did, a column a quantity.
@@ -926,6 +960,10 @@ model: string,
  */
 title: string,
 /**
+ * The names of its axes, in its own order.
+ */
+axes: Array<string>,
+/**
  * Whether it is in this process or elsewhere.
  */
 kind: "virtual" | "real",
@@ -961,7 +999,12 @@ hex: string,
 /**
  * What it says.
  */
-text: string, };
+text: string,
+/**
+ * Whether it was asked to see what the controller is doing, over and over, and not because somebody wanted
+ * something.
+ */
+polled: boolean, };
 
 /**
  * A line that somebody typed.

@@ -5,7 +5,8 @@ import { changes, isSetting, read, write } from "./file.ts";
 
 const base = { group: "", axis: null, symbol: "", unit: "", text: "", section: "", default: 0, decimals: 0 };
 const info = (id: string, writable = true): ParameterInfo => {
-  return { ...base, id, name: id, low: 0, high: 100, readable: true, writable, stored: true, is_text: id === "DN" };
+  return { ...base, id, name: id, low: 0, high: 100, readable: true, writable, stored: true, is_text: id === "DN",
+    role: null, is_setting: writable };
 };
 const CATALOG = {
   model: "pmx-2ed",

@@ -20,6 +20,8 @@ const INFO: ParameterInfo = {
   writable: true,
   stored: true,
   is_text: false,
+  role: "high_speed",
+  is_setting: true,
 };
 const RATIO: ParameterInfo = { ...INFO, id: "SLRX", low: 0.001, high: 999.999, decimals: 3 };
 const NAME: ParameterInfo = { ...INFO, id: "DN", low: null, high: null, is_text: true };

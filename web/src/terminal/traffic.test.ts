@@ -3,8 +3,8 @@ import { test } from "node:test";
 import { csv, filtered, type Filter } from "./traffic.ts";
 
 const TRAFFIC = [
-  { at: 0.5, out: true, hex: "01 06 01 00 00 00 00 00 08", text: "GAP 1, 0" },
-  { at: 0.501, out: false, hex: "02 01 64 06 00 00 00 10 7D", text: 'ok, 16 "µsteps"' },
+  { at: 0.5, out: true, hex: "01 06 01 00 00 00 00 00 08", text: "GAP 1, 0", polled: true },
+  { at: 0.501, out: false, hex: "02 01 64 06 00 00 00 10 7D", text: 'ok, 16 "µsteps"', polled: true },
 ];
 
 function check(filter: Partial<Filter>, expected: number[]) {

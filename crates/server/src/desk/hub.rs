@@ -159,11 +159,14 @@ async fn look(seat: &Seat, always: bool) {
     let mut pause = FIRST_PAUSE;
     while always || hub.is_watched() {
         let started = Instant::now();
-        let answer = if hub.is_watched() {
-            link.ask(async |it| it.status().await.map(Some)).await
-        } else {
-            link.ask(async |it| it.identify().await.map(|_| None)).await
-        };
+        let answer = host::polling(async {
+            if hub.is_watched() {
+                link.ask(async |it| it.status().await.map(Some)).await
+            } else {
+                link.ask(async |it| it.identify().await.map(|_| None)).await
+            }
+        });
+        let answer = answer.await;
         match answer {
             Ok(Some(status)) => {
                 if seat.device().is_none() {

@@ -36,6 +36,24 @@ fn everything_is_said_of_every_model() {
 }
 
 #[test]
+fn traffic_says_what_was_polled() {
+    let rig = Rig::new(&["pmx-2ed"]);
+    let mut next = rig.live("pmx-2ed");
+    until(&mut next, |message| message["type"] == "status");
+    assert_eq!(rig.call("POST", "pmx-2ed/terminal", r#"{ "line": "V17" }"#).0, 200);
+    let mut marks = BTreeMap::new();
+    until(&mut next, |message| {
+        for it in message["traffic"].as_array().into_iter().flatten() {
+            marks.insert(it["text"].as_str().unwrap().to_owned(), it["polled"].as_bool().unwrap());
+        }
+        marks.keys().any(|text| text.ends_with("V17"))
+    });
+    let polled = |text: &str| *marks.iter().find(|(said, _)| said.ends_with(text)).unwrap().1;
+    assert!(!polled("V17") && polled("MST"));
+    rig.server.stop().unwrap();
+}
+
+#[test]
 fn samples_have_even_distances_and_lose_nothing() {
     let rig = Rig::new(&["pmx-2ed"]);
     let mut next = rig.live("pmx-2ed");
