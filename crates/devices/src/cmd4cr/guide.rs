@@ -2,7 +2,7 @@
 
 use super::pins::{MAX_MV, PINS};
 use super::table::{AXES, COMMANDS, Id};
-use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, VARIABLES, ascii};
+use crate::guide::{BOTH, BitKind, Guide, HomingMode, Role, StatusBit, Topic, Units, VARIABLES, ascii};
 use ::ascript::dialect::COMMANDER;
 use BitKind::{Error, State, Switch};
 
@@ -22,7 +22,15 @@ pub static GUIDE: Guide = Guide {
     speed_windows: &motion::pps::COMMANDER,
     status_bits: &STATUS_BITS,
     homing: &HOMING,
-    settings: || ascii::settings(COMMANDS, NAMES, &Id::ProgramLine, TOPICS),
+    settings: || {
+        ascii::settings(&ascii::Kind {
+            table: COMMANDS,
+            names: NAMES,
+            lines: Id::ProgramLine,
+            topics: TOPICS,
+            roles: ROLES,
+        })
+    },
     commands: || ascii::commands(COMMANDS, AXES),
 };
 
@@ -119,6 +127,18 @@ pub static HOMING: [HomingMode; 13] = [
     mode(10, "A.11", "as 3, and back to zero", "As mode 3; then the motor goes fast to zero."),
     mode(11, "A.12", "as 5, and back to zero", "As mode 5; then the motor goes fast to zero."),
     mode(12, "A.13", "as 8, and back to zero", "As mode 8; then the motor goes fast to zero."),
+];
+
+const ROLES: &[(Id, Role)] = &[
+    (Id::HighSpeed, Role::HighSpeed),
+    (Id::LowSpeed, Role::LowSpeed),
+    (Id::Acceleration, Role::Acceleration),
+    (Id::Deceleration, Role::Deceleration),
+    (Id::PulserEnable, Role::PulserEnable),
+    (Id::SCurve, Role::SCurve),
+    (Id::SpeedMode, Role::SpeedWindow),
+    (Id::Loop, Role::ClosedLoop),
+    (Id::LoopRatio, Role::ClosedLoopRatio),
 ];
 
 const TOPICS: &[Topic] = &[

@@ -1,6 +1,6 @@
 //! Commands of a table one by one.
 
-use super::{Setting, Topic, Usage, topic};
+use super::{Role, Setting, Topic, Usage, topic};
 use crate::ascii::{Command, Form, Value, inspect::is_read_by};
 use alloc::{
     format,
@@ -70,20 +70,29 @@ fn usage<I>(command: &Command<I>, axes: &str) -> Usage {
     }
 }
 
-/// Everything in a table that has a value; `names` are the names of the axes, one letter each. Lines of the program
-/// are not settings.
-pub(crate) fn settings<I: PartialEq>(
-    table: &'static [Command<I>],
-    names: &'static [&'static str],
-    lines: &I,
-    topics: &[Topic],
-) -> Vec<Setting> {
+/// How a table is shown.
+pub(crate) struct Kind<'a, I: 'static> {
+    /// The table.
+    pub table: &'static [Command<I>],
+    /// The names of the axes, one letter each.
+    pub names: &'static [&'static str],
+    /// The lines of the program, which are not settings.
+    pub lines: I,
+    /// What the sections have to do with.
+    pub topics: &'a [Topic],
+    /// Commands that hosts know by what they are for.
+    pub roles: &'a [(I, Role)],
+}
+
+/// Everything in a table that has a value.
+pub(crate) fn settings<I: PartialEq>(kind: &Kind<'_, I>) -> Vec<Setting> {
+    let Kind { table, names, lines, .. } = kind;
     let axes = names.concat();
     let valued = table.iter().filter(|it| it.value != Value::None && it.id != *lines);
     let places = |command: &'static Command<I>| {
         places(command.form, names).into_iter().map(move |place| (command, place))
     };
-    valued.flat_map(places).map(|(command, place)| setting(table, &axes, command, place, topics)).collect()
+    valued.flat_map(places).map(|(command, place)| setting(kind, &axes, command, place)).collect()
 }
 
 /// What follows a name, and the axis that it stands for.
@@ -104,12 +113,11 @@ fn places(form: Form, axes: &'static [&'static str]) -> Vec<Place> {
     }
 }
 
-fn setting<I>(
-    table: &'static [Command<I>],
+fn setting<I: PartialEq>(
+    kind: &Kind<'_, I>,
     axes: &str,
     command: &'static Command<I>,
     (suffix, axis): Place,
-    topics: &[Topic],
 ) -> Setting {
     let (value, about) = (command.value, &command.about);
     let id = format!("{}{suffix}", command.name);
@@ -123,8 +131,11 @@ fn setting<I>(
         Value::Kept { default, .. } => Some(default.into()),
         _ => None,
     };
+    // The same name without a value may be another command's, which acts.
+    let readable = value.can_ask() && is_read_by(kind.table, axes, &id, command);
+    let is_text = is_list || matches!(value, Value::Text { .. });
     Setting {
-        group: topic(topics, about.section),
+        group: topic(kind.topics, about.section),
         axis,
         name: if axis.is_some() || suffix.is_empty() { title } else { format!("{title} {suffix}") },
         symbol: id.clone(),
@@ -134,13 +145,14 @@ fn setting<I>(
         range: value.range().map(|(low, high)| (low.into(), high.into())),
         default,
         decimals: value.decimals(),
-        // The same name without a value may be another command's, which acts.
-        readable: value.can_ask() && is_read_by(table, axes, &id, command),
+        readable,
         writable: value.can_set(),
         stored: matches!(value, Value::Kept { stored: true, .. }),
         stores_itself: false,
-        is_text: is_list || matches!(value, Value::Text { .. }),
+        is_text,
         is_touchy: false,
+        role: kind.roles.iter().find(|(id, _)| *id == command.id).map(|(_, role)| *role),
+        is_setting: readable && value.can_set() && (default.is_some() || is_text),
         id,
     }
 }
@@ -214,6 +226,22 @@ mod tests {
     fn lines_of_programs_are_no_settings() {
         assert!((cmd4cr::guide::GUIDE.settings)().iter().all(|it| !it.id.starts_with("SA0")));
         assert_eq!((cmd4cr::guide::GUIDE.settings)().iter().filter(|it| it.id.starts_with('V')).count(), 101);
+    }
+
+    #[test]
+    fn roles_and_settings() {
+        let roles = |settings: Vec<Setting>, role: Role| -> Vec<String> {
+            settings.into_iter().filter(|it| it.role == Some(role)).map(|it| it.id).collect()
+        };
+        let all = || (cmd4cr::guide::GUIDE.settings)();
+        assert_eq!(roles(all(), Role::HighSpeed), ["HSPD", "HSPDX", "HSPDY", "HSPDZ", "HSPDU"]);
+        assert_eq!(roles(all(), Role::PulserEnable), ["MPEX", "MPEY", "MPEZ", "MPEU"]);
+        let all = || (pmx2ed::guide::GUIDE.settings)();
+        assert_eq!(roles(all(), Role::SpeedWindow), ["SSPDMX", "SSPDMY"]);
+        assert_eq!(roles(all(), Role::PulserEnable), [""; 0]);
+        for (id, expected) in [("HSPDX", true), ("DN", true), ("PX", false), ("DO1", false), ("AI1", false)] {
+            assert_eq!(pmx(id).is_setting, expected, "{id}");
+        }
     }
 
     #[test]

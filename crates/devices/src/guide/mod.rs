@@ -151,6 +151,41 @@ pub struct Setting {
     pub is_text: bool,
     /// Whether looking at it changes it.
     pub is_touchy: bool,
+    /// What it is for, if hosts know it by that.
+    pub role: Option<Role>,
+    /// Whether it can be kept in a file and given back later: no position, output or timer, which would do something.
+    pub is_setting: bool,
+}
+
+/// What a parameter is for, where hosts do something with it that other models have too, under other names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// The speed of motions.
+    HighSpeed,
+    /// The speed at which ramps begin and end.
+    LowSpeed,
+    /// The acceleration, or how long it takes.
+    Acceleration,
+    /// The deceleration likewise.
+    Deceleration,
+    /// Whether deceleration is as set, and not as acceleration.
+    OwnDeceleration,
+    /// Whether ramps are S-curves.
+    SCurve,
+    /// The window in which a speed can be changed on the way.
+    SpeedWindow,
+    /// Whether the closed loop is on.
+    ClosedLoop,
+    /// Pulses of the motor for a count of the encoder.
+    ClosedLoopRatio,
+    /// Whether the axis follows its hand wheel.
+    PulserEnable,
+    /// Microsteps in a full step, as a power of two.
+    Microsteps,
+    /// The exponent that scales speeds.
+    PulseDivisor,
+    /// The exponent that scales accelerations.
+    RampDivisor,
 }
 
 /// A command and how it is written.

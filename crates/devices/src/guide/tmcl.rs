@@ -1,6 +1,6 @@
 //! Parameters and commands of TMCL modules one by one.
 
-use super::{Setting, Usage};
+use super::{Role, Setting, Usage};
 use crate::parameter::{Parameter, Table};
 use ::tmcl::isa::{Instruction, Mode, TABLE};
 use alloc::{format, string::String, vec::Vec};
@@ -24,6 +24,10 @@ pub(crate) struct Kind<'a> {
     pub id: &'a dyn Fn(u8) -> String,
     /// Entries that are changed by being looked at.
     pub touchy: &'a [u8],
+    /// Entries that can be written and are no settings.
+    pub states: &'a [u8],
+    /// Entries that hosts know by what they are for.
+    pub roles: &'a [(u8, Role)],
 }
 
 /// The parameters of a table.
@@ -56,6 +60,8 @@ fn setting(kind: &Kind<'_>, entry: &'static Parameter) -> Setting {
         stores_itself: access.automatic(),
         is_text: false,
         is_touchy: kind.touchy.contains(&entry.number),
+        role: kind.roles.iter().find(|(number, _)| *number == entry.number).map(|(_, role)| *role),
+        is_setting: access.writable() && !kind.states.contains(&entry.number),
     }
 }
 
@@ -106,6 +112,18 @@ mod tests {
         check("GP255.2", "V255", "Variables", true, false);
         let touchy: Vec<_> = all.iter().filter(|it| it.is_touchy).map(|it| it.id.as_str()).collect();
         assert_eq!(touchy, ["AP207.0", "GP133"]);
+        let states: Vec<_> =
+            all.iter().filter(|it| it.writable && !it.is_setting).map(|it| it.id.as_str()).collect();
+        assert_eq!(states, ["AP0.0", "AP1.0", "AP2.0", "AP138.0", "AP209.0", "AP216.0", "GP132"]);
+        let roles: Vec<_> = all.iter().filter_map(|it| Some((it.id.as_str(), it.role?))).collect();
+        let expected = [
+            ("AP4.0", Role::HighSpeed),
+            ("AP5.0", Role::Acceleration),
+            ("AP140.0", Role::Microsteps),
+            ("AP153.0", Role::RampDivisor),
+            ("AP154.0", Role::PulseDivisor),
+        ];
+        assert_eq!(roles, expected);
     }
 
     #[test]

@@ -5,7 +5,7 @@ extern crate alloc;
 use super::pins::PINS;
 use super::{ap, global_parameters as gp};
 use crate::guide::tmcl::{self, Kind, Ranges};
-use crate::guide::{self, BitKind, Guide, HomingMode, Setting, StatusBit, Units};
+use crate::guide::{self, BitKind, Guide, HomingMode, Role, Setting, StatusBit, Units};
 use ::tmcl::isa::{PROGRAM_LENGTH, VARIABLES};
 use BitKind::{Error, State, Switch};
 use alloc::{format, vec::Vec};
@@ -144,6 +144,21 @@ fn settings() -> Vec<Setting> {
         axis: Some(AXES[0]),
         id: &|number| format!("AP{number}.0"),
         touchy: &[ap::EXTENDED_ERRORS],
+        states: &[
+            ap::TARGET_POSITION,
+            ap::ACTUAL_POSITION,
+            ap::TARGET_SPEED,
+            ap::RAMP_MODE,
+            ap::ENCODER_POSITION,
+            ap::EXTERNAL_ENCODER,
+        ],
+        roles: &[
+            (ap::MAX_SPEED, Role::HighSpeed),
+            (ap::MAX_ACCELERATION, Role::Acceleration),
+            (ap::MICROSTEPS, Role::Microsteps),
+            (ap::RAMP_DIVISOR, Role::RampDivisor),
+            (ap::PULSE_DIVISOR, Role::PulseDivisor),
+        ],
     };
     let module = Kind {
         table: gp::module::TABLE,
@@ -152,6 +167,8 @@ fn settings() -> Vec<Setting> {
         axis: None,
         id: &|number| format!("GP{number}"),
         touchy: &[gp::module::RANDOM],
+        states: &[gp::module::TICK_TIMER],
+        roles: &[],
     };
     let interrupts = Kind {
         table: gp::interrupts::TABLE,
@@ -159,6 +176,7 @@ fn settings() -> Vec<Setting> {
         section: "5.4",
         id: &|number| format!("GP{number}.3"),
         touchy: &[],
+        states: &[],
         ..module
     };
     let variables = (0..VARIABLES).map(variable);
@@ -185,5 +203,7 @@ fn variable(number: usize) -> Setting {
         stores_itself: false,
         is_text: false,
         is_touchy: false,
+        role: None,
+        is_setting: true,
     }
 }

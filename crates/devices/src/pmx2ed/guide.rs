@@ -2,7 +2,7 @@
 
 use super::pins::{MAX_MV, PINS};
 use super::table::{AXES, COMMANDS, Id};
-use crate::guide::{BOTH, BitKind, Guide, HomingMode, StatusBit, Topic, Units, VARIABLES, ascii};
+use crate::guide::{BOTH, BitKind, Guide, HomingMode, Role, StatusBit, Topic, Units, VARIABLES, ascii};
 use ::ascript::dialect::PERFORMAX_2;
 use BitKind::{Error, State, Switch};
 
@@ -17,7 +17,15 @@ pub static GUIDE: Guide = Guide {
     speed_windows: &motion::pps::PERFORMAX,
     status_bits: &STATUS_BITS,
     homing: &HOMING,
-    settings: || ascii::settings(COMMANDS, NAMES, &Id::ProgramLine, TOPICS),
+    settings: || {
+        ascii::settings(&ascii::Kind {
+            table: COMMANDS,
+            names: NAMES,
+            lines: Id::ProgramLine,
+            topics: TOPICS,
+            roles: ROLES,
+        })
+    },
     commands: || ascii::commands(COMMANDS, AXES),
 };
 
@@ -89,6 +97,18 @@ pub static HOMING: [HomingMode; 5] = [
         "HL: to the home switch, HCA pulses back, and slowly to it again.",
         "homing_high_and_low_speed",
     ),
+];
+
+const ROLES: &[(Id, Role)] = &[
+    (Id::HighSpeed, Role::HighSpeed),
+    (Id::LowSpeed, Role::LowSpeed),
+    (Id::Acceleration, Role::Acceleration),
+    (Id::Deceleration, Role::Deceleration),
+    (Id::OwnDeceleration, Role::OwnDeceleration),
+    (Id::SCurve, Role::SCurve),
+    (Id::SpeedMode, Role::SpeedWindow),
+    (Id::Loop, Role::ClosedLoop),
+    (Id::LoopRatio, Role::ClosedLoopRatio),
 ];
 
 const TOPICS: &[Topic] = &[

@@ -1,5 +1,6 @@
 //! What a model can do, as data for the page. Everything in it comes from the tables of the device.
 
+use super::role::Role;
 use devices::{
     Language, Model, Pin, PinKind, Wiring,
     guide::{self, BitKind, Setting, Usage},
@@ -138,6 +139,10 @@ pub(crate) struct ParameterInfo {
     pub stored: bool,
     /// Whether it is text.
     pub is_text: bool,
+    /// What it is for, where other models have the same under other names.
+    pub role: Option<Role>,
+    /// Whether it can be kept in a file and given back later: no position, output or timer, which would do something.
+    pub is_setting: bool,
 }
 
 /// A command.
@@ -253,6 +258,8 @@ impl From<Setting> for ParameterInfo {
             writable: it.writable,
             stored: it.stored,
             is_text: it.is_text,
+            role: it.role.map(Into::into),
+            is_setting: it.is_setting,
             id: it.id,
             name: it.name,
             symbol: it.symbol,

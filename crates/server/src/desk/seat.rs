@@ -55,6 +55,8 @@ pub(crate) struct Summary {
     pub model: &'static str,
     /// Its maker's name and what it is.
     pub title: &'static str,
+    /// The names of its axes, in its own order.
+    pub axes: &'static [&'static str],
     /// Whether it is in this process or elsewhere.
     #[ts(type = "\"virtual\" | \"real\"")]
     pub kind: &'static str,
@@ -188,6 +190,7 @@ impl Seat {
             name: self.name.clone(),
             model: self.model.name,
             title: self.model.title,
+            axes: self.model.guide.axes,
             kind,
             endpoints,
             link,

@@ -41,7 +41,7 @@ fn a_module_with_tmcl() {
         "id": "AP5.0", "group": "Motion", "axis": "0", "name": "Maximum acceleration",
         "symbol": "APMaxAcceleration", "unit": "int", "text": "Acceleration and deceleration of all ramps.",
         "section": "4", "low": 1.0, "high": 2047.0, "default": 500.0, "decimals": 0,
-        "readable": true, "writable": true, "stored": true, "is_text": false,
+        "readable": true, "writable": true, "stored": true, "is_text": false, "role": "acceleration", "is_setting": true,
     });
     assert_eq!(entry(&catalog, "parameters", "id", "AP5.0"), &expected);
     let expected = json!({
@@ -70,7 +70,7 @@ fn a_performax() {
         "id": "SLRX", "group": "StepNLoop", "axis": "X", "name": "Loop ratio", "symbol": "SLRX",
         "unit": "pulses a count", "text": "StepNLoop: ratio, 0.001 to 999.999.", "section": "7.17",
         "low": 0.001, "high": 999.999, "default": 1.0, "decimals": 3,
-        "readable": true, "writable": true, "stored": true, "is_text": false,
+        "readable": true, "writable": true, "stored": true, "is_text": false, "role": "closed_loop_ratio", "is_setting": true,
     });
     assert_eq!(entry(&catalog, "parameters", "id", "SLRX"), &expected);
     assert_eq!(entry(&catalog, "parameters", "id", "DN")["is_text"], true);
