@@ -6,7 +6,7 @@ use common::{call, device, serve_http};
 use serde_json::Value;
 use std::{fs, path::Path};
 
-const METHODS: [&str; 4] = ["get", "put", "post", "delete"];
+const METHODS: [&str; 5] = ["get", "put", "post", "patch", "delete"];
 
 /// The operations of the document: path, method, operation.
 fn operations(document: &Value) -> Vec<(&str, &str, &Value)> {

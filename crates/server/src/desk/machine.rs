@@ -1,9 +1,12 @@
 //! The machine behind a virtual controller, for a drawing of it.
 
-use crate::http::{Answer, Place, Shared, at};
-use axum::{Json, extract::State};
-use serde::Serialize;
-use sim::VirtualDevice;
+use crate::http::{Answer, Body, Failure, Place, Shared, at, json, unprocessable};
+use axum::{Json, extract::State, http::StatusCode};
+use serde::{Deserialize, Serialize};
+use sim::{
+    VirtualDevice,
+    device::{SwitchError, Switches},
+};
 use std::collections::BTreeMap;
 use ts_rs::TS;
 use utoipa::ToSchema;
@@ -50,6 +53,50 @@ pub(crate) async fn show(State(site): Shared, place: Place<String>) -> Answer<Js
     let axes =
         unit.with(|device| device.axes().iter().map(|axis| (*axis, MachineAxis::of(device, axis))).collect());
     Ok(Json(Machine { axes }))
+}
+
+/// Switches of an axis that are moved.
+#[derive(Deserialize, TS, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MovedSwitches {
+    /// The axis.
+    axis: String,
+    /// The switch at the negative end is on here and below.
+    #[serde(default)]
+    #[ts(optional)]
+    negative_limit: Option<i64>,
+    /// The switch at the positive end is on here and above.
+    #[serde(default)]
+    #[ts(optional)]
+    positive_limit: Option<i64>,
+    /// The home switch is on from the first to the second position.
+    #[serde(default)]
+    #[ts(type = "[number, number]", optional)]
+    home: Option<[i64; 2]>,
+}
+
+/// Move limit and home switches of a virtual device while it runs
+///
+/// Those that are not named stay where they are.
+#[utoipa::path(
+    patch, path = "/api/devices/{device}/machine", tag = "machine",
+    request_body = MovedSwitches, responses((status = 204))
+)]
+pub(crate) async fn change(State(site): Shared, place: Place<String>, body: Body) -> Answer<StatusCode> {
+    let unit = site.unit(&at(place)?)?;
+    let MovedSwitches { axis, negative_limit, positive_limit, home } = json(body)?;
+    let switches = Switches { negative_limit, positive_limit, home };
+    unit.with(|device| device.move_switches(&axis, &switches))?;
+    Ok(StatusCode::NO_CONTENT)
+}
+
+impl From<SwitchError> for Failure {
+    fn from(error: SwitchError) -> Self {
+        match error {
+            SwitchError::Axis(error) => error.into(),
+            error => unprocessable(error.to_string()),
+        }
+    }
 }
 
 impl MachineAxis {

@@ -20,6 +20,7 @@ mod machine;
 mod models;
 mod parameters;
 mod program;
+mod role;
 mod seat;
 mod typescript;
 mod wire;
@@ -47,7 +48,6 @@ pub(crate) fn free() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(live::live))
         .routes(routes!(control::status))
         .routes(routes!(control::stop))
-        .routes(routes!(machine::show))
         .merge(long(OpenApiRouter::new().routes(routes!(program::compile))))
 }
 
@@ -64,6 +64,7 @@ pub(crate) fn led() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(parameters::read, parameters::write))
         .routes(routes!(parameters::store))
         .routes(routes!(parameters::restore))
+        .routes(routes!(machine::show, machine::change))
         .routes(routes!(program::control))
         .routes(routes!(program::variables))
         .merge(long(texts))

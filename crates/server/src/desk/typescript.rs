@@ -5,7 +5,7 @@ use super::{
     control::TypedLine,
     devices::{NewDevices, WhereToLook},
     live::{Live, LiveRequest},
-    machine::Machine,
+    machine::{Machine, MovedSwitches},
     models::{FaultKind, ModelInfo},
     program::{Compiled, SourceText},
     seat::Summary,
@@ -33,6 +33,7 @@ pub fn typescript() -> String {
     all.visit::<Live>();
     all.visit::<LiveRequest>();
     all.visit::<Machine>();
+    all.visit::<MovedSwitches>();
     all.visit::<Action>();
     all.visit::<TypedLine>();
     all.visit::<Answer>();

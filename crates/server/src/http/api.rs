@@ -85,7 +85,8 @@ fn led() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(power::cycle))
         .routes(routes!(power::cut));
     for item in led.get_openapi_mut().paths.paths.values_mut() {
-        for change in [&mut item.put, &mut item.post, &mut item.delete].into_iter().flatten() {
+        for change in [&mut item.put, &mut item.post, &mut item.patch, &mut item.delete].into_iter().flatten()
+        {
             let lease = ParameterBuilder::new()
                 .name("Control-Lease")
                 .parameter_in(ParameterIn::Header)
@@ -136,8 +137,8 @@ fn complete(mut document: utoipa::openapi::OpenApi) -> utoipa::openapi::OpenApi 
 }
 
 fn operations(item: &mut PathItem) -> impl Iterator<Item = (&'static str, &mut Operation)> {
-    let PathItem { get, put, post, delete, .. } = item;
-    let all = [("get", get), ("put", put), ("post", post), ("delete", delete)];
+    let PathItem { get, put, post, patch, delete, .. } = item;
+    let all = [("get", get), ("put", put), ("post", post), ("patch", patch), ("delete", delete)];
     all.into_iter().filter_map(|(method, operation)| Some((method, operation.as_mut()?)))
 }
 

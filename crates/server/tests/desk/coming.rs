@@ -27,7 +27,8 @@ fn virtual_ones_from_a_bench_file() {
     let (status, added) = add(&rig, json!({ "bench": bench }));
     assert_eq!(status, 201, "{added}");
     let expected = json!([{
-        "name": "saw", "model": "cmd-4cr", "title": "Nippon Pulse CMD-4CR, firmware V126BL", "kind": "virtual",
+        "name": "saw", "model": "cmd-4cr", "title": "Nippon Pulse CMD-4CR, firmware V126BL",
+        "axes": ["X", "Y", "Z", "U"], "kind": "virtual",
         "endpoints": [endpoint], "link": { "state": "up" }, "removable": true,
     }]);
     assert_eq!(added, expected);
@@ -151,6 +152,7 @@ fn a_real_one_by_tcp() {
         rig.refused("GET", &format!("stage/{path}"), "", 409, only);
     }
     rig.refused("POST", "stage/power-cycle", "", 409, only);
+    rig.refused("PATCH", "stage/machine", r#"{ "axis": "X", "home": [0, 5] }"#, 409, only);
     machine.stop().unwrap();
     eventually("it is lost again", || rig.get("stage")["link"]["state"] == "lost");
     rig.tell("DELETE", "stage", "");

@@ -149,3 +149,31 @@ fn the_machine() {
     assert_eq!((&machine["axes"]["0"]["load"], &machine["axes"]["0"]["shaft"]), (&json!(0.25), &json!(30)));
     rig.server.stop().unwrap();
 }
+
+#[test]
+fn switches_are_moved() {
+    let rig = Rig::new(&["pmx-2ed"]);
+    let path = "pmx-2ed/machine";
+    rig.tell("PATCH", path, r#"{ "axis": "X", "positive_limit": 300, "home": [-20, -10] }"#);
+    let machine = rig.get(path)["axes"].clone();
+    assert_eq!((&machine["X"]["positive_limit"], &machine["X"]["home"]), (&json!(300), &json!([-20, -10])));
+    assert_eq!(machine["Y"]["positive_limit"], 1_000_000);
+    rig.tell("POST", "pmx-2ed/act", r#"{ "do": "power", "axis": "X", "on": true }"#);
+    rig.tell("POST", "pmx-2ed/act", r#"{ "do": "move", "targets": { "X": 5000 }, "relative": false }"#);
+    eventually("it is stopped at the limit", || {
+        let axis = rig.get("pmx-2ed/status")["axes"]["X"].clone();
+        axis["error"] == "plus limit error" && axis["position"] == 300 && axis["speed"] == 0
+    });
+    let refused = |body: &str, status: u16, words: &str| rig.refused("PATCH", path, body, status, words);
+    let below = "the negative limit 300 must lie below the positive limit 300";
+    refused(r#"{ "axis": "X", "negative_limit": 300 }"#, 422, below);
+    refused(r#"{ "axis": "Z", "home": [0, 1] }"#, 404, "there is no axis `Z`, the device has: X, Y");
+    refused(
+        r#"{ "axis": "X" }"#,
+        422,
+        "`negative_limit`, `positive_limit` or `home` says where a switch goes",
+    );
+    assert_eq!(rig.call("PATCH", path, r#"{ "axis": "X", "home": [0.5, 1] }"#).0, 422);
+    assert_eq!(rig.get(path)["axes"]["X"]["negative_limit"], -1_000_000);
+    rig.server.stop().unwrap();
+}

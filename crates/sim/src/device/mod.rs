@@ -8,6 +8,7 @@ mod power;
 mod schedule;
 mod settle;
 mod state;
+mod switches;
 #[cfg(test)]
 mod tests;
 mod traps;
@@ -18,6 +19,7 @@ pub use pins::{ParsePinValueError, PinError, PinValue};
 pub(crate) use pins::{find as find_pin, to_drive as level_for};
 pub use schedule::{Input, TimedInput, TimedInputError};
 pub use state::{AxisView, DeviceState, ProgramView};
+pub use switches::{SwitchError, Switches};
 pub use wheel::MAX_COUNTS;
 pub use world::{MAX_CONTACTS, MAX_SENT, Sent};
 

@@ -91,6 +91,13 @@ impl Contact {
         Some((axis, side, zone.widened(hysteresis)))
     }
 
+    /// A switch is moved.
+    pub fn set_zone(&mut self, to: Zone) {
+        if let Mover::Shaft { zone, .. } = &mut self.mover {
+            *zone = to;
+        }
+    }
+
     /// Whether it has to be told of every change: what is on it depends on when that was.
     pub fn remembers(&self) -> bool {
         self.memory.is_some()

@@ -200,6 +200,19 @@ impl Machine {
         self.axes[axis].set_drive(drive);
     }
 
+    /// The limits and the home switch of an axis are where the configuration has them now.
+    pub fn move_switches(&mut self, axis: usize, config: &DeviceConfig, axes: &[&str]) {
+        let configs: Vec<_> = axes.iter().map(|axis| config.axis(axis)).collect();
+        for (number, pin) in self.pins.iter().enumerate() {
+            let has_cam = configs.iter().flat_map(|axis| &axis.cams).any(|cam| cam.pin == pin.name);
+            if let Some(zone) = wiring::zone(pin, axis, &configs[axis]).filter(|_| !has_cam)
+                && let Some(contact) = self.contacts.get_mut(number)
+            {
+                contact.set_zone(zone);
+            }
+        }
+    }
+
     /// Sets the load in parts of the pull-out torque.
     pub fn set_load(&mut self, axis: usize, load: f64) {
         self.axes[axis].set_load(permille(load));

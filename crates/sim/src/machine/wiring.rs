@@ -28,16 +28,10 @@ fn contact(pin: &Pin, axes: &[AxisConfig], encoders: &[(usize, Counter)]) -> Opt
     let usual = |axis: usize, kind: Switch, zone: Option<Zone>| {
         Some(switch(axis, &axes[axis], zone?, axes[axis].normally_closed.contains(&kind)))
     };
-    // An axis that goes round has no ends.
-    let end = |axis: usize, zone: Zone| axes[axis].circumference.is_none().then_some(zone);
     match (pin.wiring, pin.kind) {
-        (Wiring::NegativeLimit(axis), _) => {
-            usual(axis, Switch::NegativeLimit, end(axis, Zone::up_to(axes[axis].negative_limit)))
-        }
-        (Wiring::PositiveLimit(axis), _) => {
-            usual(axis, Switch::PositiveLimit, end(axis, Zone::from(axes[axis].positive_limit)))
-        }
-        (Wiring::Home(axis), _) => usual(axis, Switch::Home, Some(Zone::between(axes[axis].home))),
+        (Wiring::NegativeLimit(axis), _) => usual(axis, Switch::NegativeLimit, zone(pin, axis, &axes[axis])),
+        (Wiring::PositiveLimit(axis), _) => usual(axis, Switch::PositiveLimit, zone(pin, axis, &axes[axis])),
+        (Wiring::Home(axis), _) => usual(axis, Switch::Home, zone(pin, axis, &axes[axis])),
         (Wiring::Slowdown(axis), _) => {
             let [first, second] = axes[axis].slowdown;
             // A closed contact may stand for a switch that nothing ever meets.
@@ -60,8 +54,25 @@ fn contact(pin: &Pin, axes: &[AxisConfig], encoders: &[(usize, Counter)]) -> Opt
     }
 }
 
+/// Where a limit or home switch at a pin is on, if it is one of this axis.
+pub(super) fn zone(pin: &Pin, axis: usize, config: &AxisConfig) -> Option<Zone> {
+    // An axis that goes round has no ends.
+    let end = |zone: Zone| config.circumference.is_none().then_some(zone);
+    match pin.wiring {
+        Wiring::NegativeLimit(of) if of == axis => end(Zone::up_to(config.negative_limit)),
+        Wiring::PositiveLimit(of) if of == axis => end(Zone::from(config.positive_limit)),
+        Wiring::Home(of) if of == axis => Some(around(config, Zone::between(config.home))),
+        _ => None,
+    }
+}
+
+/// A zone that comes again on an axis that goes round.
+fn around(config: &AxisConfig, zone: Zone) -> Zone {
+    config.circumference.map_or(zone, |turn| zone.every(turn))
+}
+
 fn switch(axis: usize, config: &AxisConfig, zone: Zone, normally_closed: bool) -> Contact {
-    let zone = config.circumference.map_or(zone, |turn| zone.every(turn));
+    let zone = around(config, zone);
     Contact::switch(axis, zone, config.switch_hysteresis, normally_closed)
 }
 

@@ -13,7 +13,12 @@ mod tests;
 pub use log::Log;
 pub use replay::{Reader, Replay, perform};
 
-use crate::{config::DeviceConfig, device::PinValue, fault::Entry as Fault, flash::SharedFlash};
+use crate::{
+    config::DeviceConfig,
+    device::{PinValue, Switches},
+    fault::Entry as Fault,
+    flash::SharedFlash,
+};
 use devices::Port;
 use motion::Ticks;
 use serde::{Deserialize, Serialize};
@@ -124,6 +129,8 @@ pub enum Act {
     Plan(Ticks, String, Option<PinValue>),
     /// The load of an axis changes.
     Load(String, f64),
+    /// Switches of an axis are moved.
+    Switches(String, Switches),
     /// An axis is turned from outside.
     Push(String, i64),
     /// An axis loses pulses.

@@ -146,6 +146,7 @@ pub fn perform(device: &mut VirtualDevice, act: &Act) -> Result<(), String> {
             device.schedule(*at, &Input { pin: pin.clone(), value: *value }).map_err(text)?;
         }
         Act::Load(axis, load) => device.set_load(axis, *load).map_err(text)?,
+        Act::Switches(axis, switches) => device.move_switches(axis, switches).map_err(text)?,
         Act::Push(axis, distance) => device.push(axis, *distance).map_err(text)?,
         Act::Lose(axis, pulses) => device.lose(axis, *pulses).map_err(text)?,
         Act::Mpg(axis, counts) => device.pulser(axis, *counts).map_err(text)?,

@@ -1,5 +1,8 @@
 use super::*;
-use crate::{config::Bench, device::VirtualDevice};
+use crate::{
+    config::Bench,
+    device::{Switches, VirtualDevice},
+};
 use rand_pcg::{Pcg32, rand_core::Rng as _};
 use std::io::Cursor;
 
@@ -127,7 +130,7 @@ fn torment(device: &mut VirtualDevice, random: &mut Pcg32) {
             let to = device.now() + Ticks::from(random.next_u32() % 400_000);
             device.advance(to);
         }
-        match random.next_u32() % 20 {
+        match random.next_u32() % 22 {
             16 | 17 => {
                 let entry = FAULTS[random.next_u32() as usize % FAULTS.len()];
                 drop(device.plan_entry(&serde_json::from_str(&entry.replace("AXIS", axis)).unwrap()));
@@ -137,6 +140,16 @@ fn torment(device: &mut VirtualDevice, random: &mut Pcg32) {
                 oldest.into_iter().for_each(|id| device.clear_fault(id).unwrap());
             }
             19 if random.next_u32().is_multiple_of(4) => device.clear_faults(),
+            20 => {
+                let home = i64::from(random.next_u32() % 900);
+                let switches = Switches { home: Some([home, home + 40]), ..Switches::default() };
+                device.move_switches(axis, &switches).unwrap();
+            }
+            21 => {
+                let limit = Some(500 + i64::from(random.next_u32() % 4000));
+                let switches = Switches { positive_limit: limit, ..Switches::default() };
+                drop(device.move_switches(axis, &switches));
+            }
             0 => device.set_load(axis, f64::from(random.next_u32() % 3) * 0.45).unwrap(),
             1 => device.push(axis, i64::from(random.next_u32() % 100)).unwrap(),
             2 => device.lose(axis, 5).unwrap(),
