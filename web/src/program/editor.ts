@@ -1,7 +1,7 @@
 // The editor of programs: CodeMirror with the project's own language server behind it.
 
 import { closeBrackets } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
+import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { bracketMatching, indentUnit } from "@codemirror/language";
 import { lintGutter, lintKeymap } from "@codemirror/lint";
 import { formatDocument, languageServerExtensions, LSPClient } from "@codemirror/lsp-client";
@@ -71,7 +71,8 @@ export class Editor {
           history(),
           indentUnit.of("  "),
           presentLines,
-          keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]),
+          // Tab leaves the editor, as it leaves everything: it is formatted, not indented by hand.
+          keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap]),
           EditorState.languageData.of(() => [{ commentTokens: { line: COMMENT[language] } }]),
           EditorView.updateListener.of((update) => update.docChanged && hooks.changed()),
           EditorView.contentAttributes.of({ "aria-label": "Program" }),

@@ -49,6 +49,15 @@ class Threads extends LitElement {
       .line {
         min-width: 9em;
       }
+      @media (max-width: 600px) {
+        .line {
+          min-width: 0;
+        }
+        th,
+        td {
+          padding: 3px 4px;
+        }
+      }
     `,
   ];
 

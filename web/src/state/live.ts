@@ -2,7 +2,7 @@
 // comes back by itself.
 
 import type { Api } from "../api/client.ts";
-import type { DebugState, LinkState, Live, Status, Traffic } from "../api/contract.ts";
+import type { DebugState, LinkState, Live, LiveRequest, Status, Traffic } from "../api/contract.ts";
 import { SampleRing } from "./samples.ts";
 
 /** Requests and replies that are kept. */
@@ -12,6 +12,8 @@ const FIRST_RETRY_MS = 250;
 const LAST_RETRY_MS = 5000;
 /** A server that says nothing for so long is lost; a status comes 15 times a second. */
 const SILENCE_MS = 5000;
+/** The server ends a jog of which it has heard nothing for three times as long. */
+const HOLD_MS = 200;
 /** Who draws the traffic hears of it no more often: it is long, and nobody reads faster. */
 const TRAFFIC_MS = 250;
 
@@ -38,6 +40,9 @@ export class LiveStore extends EventTarget {
   #watchdog = 0;
   #trafficTimer = 0;
   #open = false;
+  /** The axes that jog while a button is held. */
+  readonly #held = new Set<string>();
+  #holding = 0;
 
   constructor(api: Api, name: string) {
     super();
@@ -58,8 +63,32 @@ export class LiveStore extends EventTarget {
     clearTimeout(this.#timer);
     clearTimeout(this.#watchdog);
     clearTimeout(this.#trafficTimer);
+    clearInterval(this.#holding);
     this.#socket?.close();
     this.#socket = null;
+  }
+
+  /** Says that an axis jogs on until `letGo`; if this page falls silent before, the server stops it. */
+  hold(axis: string): void {
+    this.#held.add(axis);
+    this.#sayHeld();
+    this.#holding ||= window.setInterval(() => this.#sayHeld(), HOLD_MS);
+  }
+
+  /** The axis jogs no longer. */
+  letGo(axis: string): void {
+    if (!this.#held.delete(axis)) return;
+    this.#sayHeld();
+    if (this.#held.size > 0) return;
+    clearInterval(this.#holding);
+    this.#holding = 0;
+  }
+
+  #sayHeld(): void {
+    if (this.#socket?.readyState !== WebSocket.OPEN) return;
+    const { lease } = this.#api;
+    const said: LiveRequest = { type: "hold", axes: [...this.#held], ...(lease === null ? {} : { lease }) };
+    this.#socket.send(JSON.stringify(said));
   }
 
   /** Forgets the traffic. */

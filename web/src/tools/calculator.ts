@@ -188,7 +188,7 @@ class Calculator extends Tool {
     return html`
       <section class="panel" aria-label=${quantity}>
         <h2>${quantity[0]?.toUpperCase()}${quantity.slice(1)}</h2>
-        <table>
+        <table aria-label="The same ${quantity} in each unit">
           <tbody>
             ${convert(value, from, list).map(({ unit, shown, exact, fits }) => {
               // What is being typed stays as it was typed.

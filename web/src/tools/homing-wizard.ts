@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import type { AxisStatus, HomingMode, ParameterInfo } from "../api/contract.ts";
 import { count } from "../state/format.ts";
+import { Jog } from "../state/jog.ts";
 import type { LiveEvent } from "../state/live.ts";
 import "../ui/hold.ts";
 import { lamp, lampStyles } from "../ui/lamp.ts";
@@ -38,14 +39,16 @@ class HomingWizard extends Tool {
   /** Levels that each switch has been seen with. */
   readonly #seen = new Map<Switch, Set<boolean>>();
   #cancelled = false;
-  /** A jog that the server has not answered yet. */
-  #jog: Promise<unknown> | null = null;
+  #jog: Jog | null = null;
 
   static override styles = [
     base,
     toolStyles,
     lampStyles,
     css`
+      button.primary {
+        white-space: normal;
+      }
       h2 span {
         display: inline-grid;
         place-items: center;
@@ -135,16 +138,8 @@ class HomingWizard extends Tool {
   }
 
   #jogTo(direction: 1 | -1): void {
-    const begun = attempt(() => this.api.act(this.device.name, { do: "jog", axis: this.axis, direction }));
-    this.#jog = begun.finally(() => (this.#jog = null));
-  }
-
-  /** Stops at once, and once more if the jog was still on its way: it may arrive later than the stop. */
-  #jogEnd(): void {
-    const stop = () => attempt(() => this.api.act(this.device.name, { do: "stop", axis: this.axis }));
-    const late = this.#jog;
-    void stop();
-    if (late) void late.then(stop);
+    this.#jog = new Jog(this.api, this.live, this.axis);
+    this.#jog.begin(direction);
   }
 
   async #go(mode: HomingMode, direction: 1 | -1): Promise<void> {
@@ -213,7 +208,7 @@ class HomingWizard extends Tool {
         label=${label}
         .disabled=${!this.usable || this.running}
         @begin=${() => this.#jogTo(direction)}
-        @end=${this.#jogEnd}
+        @end=${() => this.#jog?.end()}
         >${text}</pt-hold
       >
     `;

@@ -3,6 +3,7 @@
 import { css, html, nothing } from "lit";
 import type { AxisStatus } from "../api/contract.ts";
 import { count, parseWhole } from "../state/format.ts";
+import { Jog } from "../state/jog.ts";
 import { lamp, lampStyles } from "../ui/lamp.ts";
 import { stateKind } from "../ui/state.ts";
 import { base } from "../ui/styles.ts";
@@ -15,8 +16,7 @@ class Axis extends Tab {
   declare axis: string;
   protected override readonly watches = ["status"] as const;
 
-  /** A jog that the server has not answered yet. */
-  #jog: Promise<unknown> | null = null;
+  #jog: Jog | null = null;
 
   static override styles = [
     base,
@@ -151,11 +151,11 @@ class Axis extends Tab {
         </div>
         <div class="jog">
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${axis} in negative direction while pressed`}
-            @begin=${() => this.#jogTo(-1)} @end=${this.#jogEnd}>◀ −</pt-hold>
+            @begin=${() => this.#jogTo(-1)} @end=${() => this.#jog?.end()}>◀ −</pt-hold>
           <button ?disabled=${!this.reachable} aria-label="Stop ${axis}" title="Stop with deceleration"
             @click=${this.#stop}>■</button>
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${axis} in positive direction while pressed`}
-            @begin=${() => this.#jogTo(1)} @end=${this.#jogEnd}>+ ▶</pt-hold>
+            @begin=${() => this.#jogTo(1)} @end=${() => this.#jog?.end()}>+ ▶</pt-hold>
         </div>
         ${this.#bits(status)} ${this.#counters(can)}
       </section>
@@ -228,28 +228,14 @@ class Axis extends Tab {
   }
 
   #jogTo(direction: 1 | -1): void {
-    this.#jog = this.#act({ do: "jog", axis: this.axis, direction }).finally(() => {
-      this.#jog = null;
-    });
+    this.#jog ??= new Jog(this.api, this.live, this.axis);
+    this.#jog.begin(direction);
   }
 
   /** Whoever has no control can stop the whole controller. */
   #stop(): void {
     if (this.locked) void attempt(() => this.api.stop(this.device.name));
     else void this.#act({ do: "stop", axis: this.axis });
-  }
-
-  /**
-   * Stops at once, and once more if the jog was still on its way: it may arrive later than the stop. If the axis cannot
-   * be stopped alone, as when control was lost meanwhile, everything is stopped.
-   */
-  #jogEnd(): void {
-    const { name } = this.device;
-    const stop = () =>
-      attempt(() => this.api.act(name, { do: "stop", axis: this.axis }).catch(() => this.api.stop(name)));
-    const late = this.#jog;
-    void stop();
-    if (late) void late.then(stop);
   }
 }
 customElements.define("pt-axis", Axis);

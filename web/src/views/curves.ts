@@ -297,6 +297,7 @@ export class Curves extends Tab {
       this.#columnsNow(),
       place,
     );
+    place.querySelector(".u-legend")?.setAttribute("aria-label", "Values at the cursor");
     if (this.paused) this.#showAll();
   }
 

@@ -109,7 +109,7 @@ class Faults extends Tab {
   #list() {
     if (this.faults.length === 0) return html`<p class="muted">There is none.</p>`;
     return html`
-      <table>
+      <table aria-label="Faults">
         <thead><tr><th>Fault</th><th>With</th><th>State</th>
           <th><button class="small plain" ?disabled=${!this.usable}
             @click=${() => this.#do(() => this.api.clearFaults(this.device.name))}>Clear all</button></th></tr></thead>

@@ -383,7 +383,7 @@ class Parameters extends Tab {
     return html`
       <section class="panel" aria-label=${group}>
         <h2>${group}</h2>
-        <table>
+        <table aria-label="Parameters, ${group}">
           <thead>
             <tr>
               <th>Number</th>
@@ -471,7 +471,7 @@ class Parameters extends Tab {
 
   #table(list: readonly Change[]) {
     return html`
-      <table>
+      <table aria-label="Changes">
         <thead>
           <tr>
             <th>Number</th>

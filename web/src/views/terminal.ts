@@ -342,7 +342,7 @@ class Terminal extends Tab {
           <span class="muted">${shown.length} lines</span>
         </div>
         <div class="table" tabindex="0" role="region" aria-label="Lines of traffic" @scroll=${this.#scrolled}>
-          <table>
+          <table aria-label="Requests and replies">
             <thead>
               <tr>
                 <th class="at number">s</th>

@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-D2xj8AhC.js";import{t as p}from"./tab-DqdSvliO.js";import{t as m}from"./axis-picker-DNw-7pBb.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
+import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,x as f}from"./index-Ddc2lmy1.js";import{t as p}from"./tab-BdQOknV9.js";import{t as m}from"./axis-picker-CUHepnDu.js";var h=1e3,g=[`pin`,`axis`,`port`,`way`,`bytes`],_={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},v=class extends p{static properties={...p.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,e`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -21,7 +21,7 @@ import{C as e,S as t,a as n,b as r,d as i,l as a,m as o,o as s,p as c,r as l,s a
         ${e?this.#a(e):r}
       </section>
     `}async#n(){await a({heading:`Cut the power?`,text:`The controller starts again at once; what its flash was writing is lost or torn.`,yes:`Cut`,danger:!0})&&await d(()=>this.api.powerCut(this.device.name),`Power cut`)}#r(){return this.faults.length===0?f`<p class="muted">There is none.</p>`:f`
-      <table>
+      <table aria-label="Faults">
         <thead><tr><th>Fault</th><th>With</th><th>State</th>
           <th><button class="small plain" ?disabled=${!this.usable}
             @click=${()=>this.#i(()=>this.api.clearFaults(this.device.name))}>Clear all</button></th></tr></thead>

@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-D2xj8AhC.js";import{n as p,t as m}from"./hold-Bmt1YFlm.js";import{t as h}from"./tab-DqdSvliO.js";import"./curves-ig2qnf7-.js";import{t as g}from"./axis-picker-DNw-7pBb.js";var _=class extends h{static properties={...h.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-Ddc2lmy1.js";import{n as p,r as m,t as h}from"./hold-Dd7CDey_.js";import{t as g}from"./tab-BdQOknV9.js";import"./curves-C4sDXd2Y.js";import{t as _}from"./axis-picker-CUHepnDu.js";var v=class extends g{static properties={...g.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -100,10 +100,10 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         </div>
         ${this.#t(e)}
         <div class="lamps">
-          ${m(`−L`,e.negative_limit,`negative limit`,!0)}
-          ${m(`Home`,e.home,`home switch`)}
-          ${m(`+L`,e.positive_limit,`positive limit`,!0)}
-          ${m(`Z`,e.index,`encoder index`)}
+          ${h(`−L`,e.negative_limit,`negative limit`,!0)}
+          ${h(`Home`,e.home,`home switch`)}
+          ${h(`+L`,e.positive_limit,`positive limit`,!0)}
+          ${h(`Z`,e.index,`encoder index`)}
         </div>
         <div class="error-line">
           ${e.error?f`<strong class="error-text grow">⚠ ${e.error}</strong>`:f`<span class="muted grow">no error</span>`}
@@ -112,11 +112,11 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         </div>
         <div class="jog">
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in negative direction while pressed`}
-            @begin=${()=>this.#o(-1)} @end=${this.#c}>◀ −</pt-hold>
+            @begin=${()=>this.#o(-1)} @end=${()=>this.#e?.end()}>◀ −</pt-hold>
           <button ?disabled=${!this.reachable} aria-label="Stop ${r}" title="Stop with deceleration"
             @click=${this.#s}>■</button>
           <pt-hold .disabled=${!this.usable} .label=${`Jog ${r} in positive direction while pressed`}
-            @begin=${()=>this.#o(1)} @end=${this.#c}>+ ▶</pt-hold>
+            @begin=${()=>this.#o(1)} @end=${()=>this.#e?.end()}>+ ▶</pt-hold>
         </div>
         ${this.#n(e)} ${this.#r(t)}
       </section>
@@ -128,7 +128,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
       <details>
         <summary>Status bits · ${e.flags.join(`, `)||`none set`}</summary>
         <ul>
-          ${this.catalog.status_bits.map(({name:t,text:n,kind:r})=>f`<li>${m(t,e.flags.includes(t),n||t,r===`error`)}</li>`)}
+          ${this.catalog.status_bits.map(({name:t,text:n,kind:r})=>f`<li>${h(t,e.flags.includes(t),n||t,r===`error`)}</li>`)}
         </ul>
       </details>
     `}#r(e){let t=[{action:`set_position`,label:`Position counter`,reset:`RP`},{action:`set_encoder`,label:`Encoder counter`,reset:`RE`}].filter(({action:t})=>e(t));return t.length===0?n:f`
@@ -141,7 +141,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
             </form>
           `)}
       </details>
-    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?r(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return d(()=>this.api.act(this.device.name,e))}#o(e){this.#e=this.#a({do:`jog`,axis:this.axis,direction:e}).finally(()=>{this.#e=null})}#s(){this.locked?d(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}#c(){let{name:e}=this.device,t=()=>d(()=>this.api.act(e,{do:`stop`,axis:this.axis}).catch(()=>this.api.stop(e))),n=this.#e;t(),n&&n.then(t)}};customElements.define(`pt-axis`,_);var v=class extends h{static properties={...h.properties,axis:{state:!0},mode:{state:!0}};static styles=[c,e`
+    `}#i(e,t){e.preventDefault();let n=s(String(new FormData(e.target).get(`value`)));n===null?r(`A counter takes a whole number.`,`error`):this.#a({do:t,axis:this.axis,value:n})}#a(e){return d(()=>this.api.act(this.device.name,e))}#o(e){this.#e??=new m(this.api,this.live,this.axis),this.#e.begin(e)}#s(){this.locked?d(()=>this.api.stop(this.device.name)):this.#a({do:`stop`,axis:this.axis})}};customElements.define(`pt-axis`,v);var y=class extends g{static properties={...g.properties,axis:{state:!0},mode:{state:!0}};static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -153,7 +153,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``,this.mode=this.catalog.homing[0]?.id??0)}render(){let{homing:e,axes:t}=this.catalog,r=e.find(({id:e})=>e===this.mode);return f`
       <section class="panel stack" aria-label="Home">
         <div class="row"><h2 class="grow">Home</h2>
-          ${g(t,this.axis,`home-axis`,e=>this.axis=e)}
+          ${_(t,this.axis,`home-axis`,e=>this.axis=e)}
         </div>
         <label>Mode
           <select @change=${e=>this.mode=Number(e.target.value)}>
@@ -169,7 +169,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
                 </button>`:n)}
         </div>
       </section>
-    `}#e(e){let{axis:t,mode:n}=this;d(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,v);var y=class extends h{static properties={...h.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[c,e`
+    `}#e(e){let{axis:t,mode:n}=this;d(()=>this.api.act(this.device.name,{do:`home`,axis:t,mode:n,direction:e}))}};customElements.define(`pt-homing`,y);var b=class extends g{static properties={...g.properties,chosen:{state:!0},relative:{state:!0}};watches=[`status`];static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -228,7 +228,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
                 @click=${()=>d(()=>this.api.act(this.device.name,{do:`abort`}))}>Abort</button>`:n}
         </div>
       </form>
-    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&d(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let i=s(String(t.get(e)));if(i===null){r(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=i}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){d(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,y);var b=class extends h{static properties={...h.properties,axis:{state:!0}};static styles=[c,e`
+    `}#t(e,t){this.chosen=new Set(this.catalog.axes.filter(n=>n===e?t:this.chosen.has(n)))}#n(e){this.relative=e,this.catalog.actions.includes(`set_mode`)&&d(()=>this.api.act(this.device.name,{do:`set_mode`,absolute:!e}))}#r(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of this.chosen){let i=s(String(t.get(e)));if(i===null){r(`The target of axis ${e} is not a whole number.`,`error`);return}n[e]=i}this.#a(n,this.#e)}#i(){this.#a(Object.fromEntries([...this.chosen].map(e=>[e,0])),!1)}#a(e,t){d(()=>this.api.act(this.device.name,{do:`move`,targets:e,relative:t}))}};customElements.define(`pt-moves`,b);var x=class extends g{static properties={...g.properties,axis:{state:!0}};static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -248,7 +248,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
     `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,parameters:r,speed_windows:i,units:a}=this.catalog,o=r.some(({id:e})=>e===this.#e)?i:[];return f`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
-          ${g(t,this.axis,`fly-axis`,e=>this.axis=e)}
+          ${_(t,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
         ${o.length>0?f`<form class="fields" @submit=${this.#t}>
               <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (SSPDM)
@@ -270,7 +270,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
               <button ?disabled=${!this.usable}>Set target</button>
             </form>`:n}
       </div>
-    `}get#e(){return`SSPDM${this.axis}`}#t(e){e.preventDefault();let t=Number(new FormData(e.target).get(`window`));d(()=>this.api.setParameter(this.device.name,this.#e,t),`${this.#e} is ${t}`)}#n(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#r(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,b);var x=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function S(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&x.test(a)})}var C=class extends h{static properties={...h.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
+    `}get#e(){return`SSPDM${this.axis}`}#t(e){e.preventDefault();let t=Number(new FormData(e.target).get(`window`));d(()=>this.api.setParameter(this.device.name,this.#e,t),`${this.#e} is ${t}`)}#n(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#r(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,x);var S=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function C(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&S.test(a)})}var w=class extends g{static properties={...g.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
       .panel {
         height: 100%;
       }
@@ -282,7 +282,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
       select {
         width: auto;
       }
-    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(S(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of S(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&r(`${e}: ${a(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return n;let t=S(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return f`
+    `];constructor(){super(),this.values={},this.axis=null}willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.#t()[0]??null)}updated(e){e.has(`active`)&&this.active&&(this.#e=!1),!this.#e&&this.reachable&&this.active&&(this.#e=!0,this.#n())}#t(){return[...new Set(C(this.catalog.parameters).map(({axis:e})=>e))]}async#n(){for(let{id:e}of C(this.catalog.parameters))try{let t=await this.api.parameter(this.device.name,e);this.values={...this.values,[e]:t}}catch(t){t.status!==0&&r(`${e}: ${a(t)}`,`error`),this.#e=t.status!==0;return}}render(){let e=this.#t();if(e.length===0)return n;let t=C(this.catalog.parameters).filter(({axis:e})=>e===this.axis);return f`
       <form class="panel stack" @submit=${this.#a}>
         <div class="row"><h2 class="grow">Speeds and ramps</h2>
           ${e.length>1?f`<select aria-label="Whose" @change=${this.#i}>
@@ -303,7 +303,7 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
           <button ?disabled=${!this.usable}>Set</button>
         </div>
       </form>
-    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of S(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let i=String(n.get(e.id)).trim();if(i===``||i===this.#r(e))continue;let a=t(i);if(a===null){r(`${e.name}: “${i}” is not a number.`,`error`);return}if(!await d(()=>this.api.setParameter(this.device.name,e.id,a)))return;this.values={...this.values,[e.id]:a}}}};customElements.define(`pt-ramps`,C);var w=class extends h{watches=[`status`];static styles=[c,e`
+    `}#r(e){let t=this.values[e.id];return t===void 0?``:typeof t==`number`?i(t,e.decimals).replace(`−`,`-`):t}#i(e){this.axis=e.target.value||null}async#a(e){e.preventDefault();let n=new FormData(e.target);for(let e of C(this.catalog.parameters).filter(({axis:e})=>e===this.axis)){let i=String(n.get(e.id)).trim();if(i===``||i===this.#r(e))continue;let a=t(i);if(a===null){r(`${e.name}: “${i}” is not a number.`,`error`);return}if(!await d(()=>this.api.setParameter(this.device.name,e.id,a)))return;this.values={...this.values,[e.id]:a}}}};customElements.define(`pt-ramps`,w);var T=class extends g{watches=[`status`];static styles=[c,e`
       .grid {
         display: grid;
         grid-template-columns: repeat(var(--columns), minmax(0, 1fr));
@@ -366,4 +366,4 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         ${e.alarms.map(e=>f`<strong class="error-text">⚠ ${e}</strong>`)}
       </div>
       <div class="visually-hidden" aria-live="polite">${n.join(`, `)}</div>
-    `}};customElements.define(`pt-control`,w);
+    `}};customElements.define(`pt-control`,T);

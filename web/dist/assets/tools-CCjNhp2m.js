@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-D2xj8AhC.js";import{r as f}from"./value-BA77vwhC.js";import{t as p}from"./axis-picker-DNw-7pBb.js";import{t as m}from"./tab-DqdSvliO.js";import{n as h,t as g}from"./hold-Bmt1YFlm.js";function _(e,t){return e.find(({to_pps:e})=>t<=e)??e.at(-1)??null}function v(e,t,n){let r=Math.floor(Math.max(n-t,0)*1e3/e.delta);return[e.least_ms,Math.max(r,e.least_ms)]}function y(e,t,n){let r=e.pulsesPerCount??1,i=[],a=Math.abs(t)*r,o=e.highPps*r,s=n.find(({number:t})=>t===e.window)??_(n,o),c=s?.step_pps??1,l=e=>Math.max(e-e%c,c),u=l(Math.min(o,s?.to_pps??o)),d=Math.min(l(Math.max(e.lowPps*r,s?.least_low_pps??0)),u),f=(e,t)=>{if(s===null)return e;let[n,r]=v(s,d,u),a=Math.min(Math.max(e,n),r);return a!==e&&i.push(`${t} of ${e} ms becomes ${a} ms at these speeds.`),a},p=f(e.accelerationMs,`Acceleration`),m=f(e.decelerationMs,`Deceleration`),h=1e3*a/2,g=(d+u)/2;m!==p&&Math.max(p,m)*g>h&&(i.push(`A ramp needs more than half of the way: the deceleration is that of the acceleration.`),m=p);let y=e=>(u-d)*1e3/e;return{accelerationMs:p,decelerationMs:m,window:s,notes:i,move:{pulses:a,startPps:d,stopPps:d,topPps:u,acceleration:y(p),deceleration:y(m),sCurve:e.sCurve}}}var b=16e6,x=2047;function S(e){return b/(2**e*2048*32)}function C({pulse:e,ramp:t}){return b**2/2**(t+e+29)}function ee({pulse:e,ramp:t}){let n=Math.max(2**(t-e-1),1);return[Math.min(Math.ceil(n),x),Math.min(Math.max(2**(t-e+12)-1,1),x)]}function te(e,t){let n=w(t=>S(t)*x>=e);return{pulse:n,ramp:w(e=>C({pulse:n,ramp:e})*x>=t)}}function w(e){let t=13;for(;t>0&&!e(t);)--t;return t}var ne=1024;function re(e,t){return Math.round(t*e*512/ne/16)*16}function ie(e,t,n){return Math.round(t*e*256/n)}var T={topSpeed:4,acceleration:5,stopSpeed:130,mode:138,microsteps:140,ramp:153,pulse:154},ae=1,oe=[`HSPD`,`LSPD`,`ACC`,`DEC`,`SCV`,`SSPDM`,`SL`,`SLR`],se=[`HSPD`,`LSPD`,`ACC`,`DEC`,`EDEC`];function E(e,t){return D(e,e.language===`tmcl`?Object.values(T).map(e=>`AP${e}.${t}`):[...oe.map(e=>e+t),...se])}function D(e,t){let n=new Map(e.parameters.map(e=>[e.id,e]));return t.map(e=>n.get(e)).filter(e=>e!==void 0)}function ce(e,t,n){if(e.language===`tmcl`)return{divisors:O(t,n)};let r=k(n,`SLR${t}`);return r>0?{pulsesPerCount:r}:{}}function le(e,t,n){let r=n[`AP${T.microsteps}.${t}`];return e.language===`tmcl`&&typeof r==`number`?2**r:null}function ue(e,t,n,r){return e.language===`tmcl`?de(t,n,r):fe(t,n,r,e.speed_windows,`EDEC`in n)}function de(e,t,n){let r=n=>k(t,`AP${T[n]}.${e}`),i=O(e,t),a=S(i.pulse),o=r(`acceleration`)*C(i),s=[],[c,l]=ee(i);return(r(`acceleration`)<c||r(`acceleration`)>l)&&s.push(`With these divisors positioning ramps have accelerations from ${c} to ${l}.`),r(`mode`)===ae&&s.push(`The soft approach to the target (ramp mode 1) takes longer than shown.`),{notes:s,move:{pulses:n,startPps:a,stopPps:r(`stopSpeed`)*a,topPps:r(`topSpeed`)*a,acceleration:o,deceleration:o,sCurve:!1}}}function fe(e,t,n,r,i){let a=n=>k(t,n+e)||k(t,n),o=a(`ACC`),s=!i||k(t,`EDEC`)!==0,c=y({highPps:a(`HSPD`),lowPps:a(`LSPD`),accelerationMs:o,decelerationMs:s?a(`DEC`):o,sCurve:k(t,`SCV${e}`)!==0,window:k(t,`SSPDM${e}`),pulsesPerCount:k(t,`SL${e}`)===0?null:k(t,`SLR${e}`)||1},n,r);return{move:c.move,notes:c.notes}}function O(e,t){return{pulse:k(t,`AP${T.pulse}.${e}`),ramp:k(t,`AP${T.ramp}.${e}`)}}function k(e,t){let n=e[t];return typeof n==`number`?n:0}var A=e`
+import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y as d}from"./index-Ddc2lmy1.js";import{r as f}from"./value-BA77vwhC.js";import{t as p}from"./axis-picker-CUHepnDu.js";import{t as m}from"./tab-BdQOknV9.js";import{n as h,r as g,t as _}from"./hold-Dd7CDey_.js";function v(e,t){return e.find(({to_pps:e})=>t<=e)??e.at(-1)??null}function y(e,t,n){let r=Math.floor(Math.max(n-t,0)*1e3/e.delta);return[e.least_ms,Math.max(r,e.least_ms)]}function ee(e,t,n){let r=e.pulsesPerCount??1,i=[],a=Math.abs(t)*r,o=e.highPps*r,s=n.find(({number:t})=>t===e.window)??v(n,o),c=s?.step_pps??1,l=e=>Math.max(e-e%c,c),u=l(Math.min(o,s?.to_pps??o)),d=Math.min(l(Math.max(e.lowPps*r,s?.least_low_pps??0)),u),f=(e,t)=>{if(s===null)return e;let[n,r]=y(s,d,u),a=Math.min(Math.max(e,n),r);return a!==e&&i.push(`${t} of ${e} ms becomes ${a} ms at these speeds.`),a},p=f(e.accelerationMs,`Acceleration`),m=f(e.decelerationMs,`Deceleration`),h=1e3*a/2,g=(d+u)/2;m!==p&&Math.max(p,m)*g>h&&(i.push(`A ramp needs more than half of the way: the deceleration is that of the acceleration.`),m=p);let _=e=>(u-d)*1e3/e;return{accelerationMs:p,decelerationMs:m,window:s,notes:i,move:{pulses:a,startPps:d,stopPps:d,topPps:u,acceleration:_(p),deceleration:_(m),sCurve:e.sCurve}}}var b=16e6,x=2047;function S(e){return b/(2**e*2048*32)}function C({pulse:e,ramp:t}){return b**2/2**(t+e+29)}function te({pulse:e,ramp:t}){let n=Math.max(2**(t-e-1),1);return[Math.min(Math.ceil(n),x),Math.min(Math.max(2**(t-e+12)-1,1),x)]}function ne(e,t){let n=w(t=>S(t)*x>=e);return{pulse:n,ramp:w(e=>C({pulse:n,ramp:e})*x>=t)}}function w(e){let t=13;for(;t>0&&!e(t);)--t;return t}var re=1024;function ie(e,t){return Math.round(t*e*512/re/16)*16}function ae(e,t,n){return Math.round(t*e*256/n)}var T={topSpeed:4,acceleration:5,stopSpeed:130,mode:138,microsteps:140,ramp:153,pulse:154},oe=1,se=[`HSPD`,`LSPD`,`ACC`,`DEC`,`SCV`,`SSPDM`,`SL`,`SLR`],ce=[`HSPD`,`LSPD`,`ACC`,`DEC`,`EDEC`];function E(e,t){return D(e,e.language===`tmcl`?Object.values(T).map(e=>`AP${e}.${t}`):[...se.map(e=>e+t),...ce])}function D(e,t){let n=new Map(e.parameters.map(e=>[e.id,e]));return t.map(e=>n.get(e)).filter(e=>e!==void 0)}function le(e,t,n){if(e.language===`tmcl`)return{divisors:O(t,n)};let r=k(n,`SLR${t}`);return r>0?{pulsesPerCount:r}:{}}function ue(e,t,n){let r=n[`AP${T.microsteps}.${t}`];return e.language===`tmcl`&&typeof r==`number`?2**r:null}function de(e,t,n,r){return e.language===`tmcl`?fe(t,n,r):pe(t,n,r,e.speed_windows,`EDEC`in n)}function fe(e,t,n){let r=n=>k(t,`AP${T[n]}.${e}`),i=O(e,t),a=S(i.pulse),o=r(`acceleration`)*C(i),s=[],[c,l]=te(i);return(r(`acceleration`)<c||r(`acceleration`)>l)&&s.push(`With these divisors positioning ramps have accelerations from ${c} to ${l}.`),r(`mode`)===oe&&s.push(`The soft approach to the target (ramp mode 1) takes longer than shown.`),{notes:s,move:{pulses:n,startPps:a,stopPps:r(`stopSpeed`)*a,topPps:r(`topSpeed`)*a,acceleration:o,deceleration:o,sCurve:!1}}}function pe(e,t,n,r,i){let a=n=>k(t,n+e)||k(t,n),o=a(`ACC`),s=!i||k(t,`EDEC`)!==0,c=ee({highPps:a(`HSPD`),lowPps:a(`LSPD`),accelerationMs:o,decelerationMs:s?a(`DEC`):o,sCurve:k(t,`SCV${e}`)!==0,window:k(t,`SSPDM${e}`),pulsesPerCount:k(t,`SL${e}`)===0?null:k(t,`SLR${e}`)||1},n,r);return{move:c.move,notes:c.notes}}function O(e,t){return{pulse:k(t,`AP${T.pulse}.${e}`),ramp:k(t,`AP${T.ramp}.${e}`)}}function k(e,t){let n=e[t];return typeof n==`number`?n:0}var A=e`
   :host {
     max-width: 1180px;
   }
@@ -51,7 +51,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         />
         <span><code>${e.id}</code> ${t===this.read[e.id]?r:u`<span class="badge busy">tried</span>`}</span>
       </label>
-    `}#t(e,t){let r=n(t.value),{low:i,high:a}=e;r!==null&&(i===null||r>=i)&&(a===null||r<=a)?this.values={...this.values,[e.id]:r}:t.value=String(this.values[e.id]??``)}};function pe(e){return e.fullSteps*e.microsteps}function M(e,t,n){let r=pe(t),i={position:``,speed:`/s`,acceleration:`/s²`}[e],a=[],o=(e,t,n,r,i)=>{Number.isFinite(r)&&r>0&&a.push({id:e,label:t,name:n,pulses:r,...i&&{range:i}})},{divisors:s,pulsesPerCount:c}=n;return s!==void 0&&e===`speed`&&o(`int`,`int`,`Internal speed`,S(s.pulse),[-x,x]),s!==void 0&&e===`acceleration`&&o(`int`,`int`,`Internal acceleration`,C(s),[0,x]),o(`pulses`,{position:`pulses`,speed:`pps`,acceleration:`pps²`}[e],`Pulses`,1),c!==void 0&&o(`counts`,`counts${i}`,`Encoder counts`,c),o(`full`,`full steps${i}`,`Full steps`,t.microsteps),o(`turns`,`turns${i}`,`Turns of the motor`,r),e===`position`&&o(`degrees`,`°`,`Degrees`,r/360),e===`speed`&&o(`rpm`,`rpm`,`Turns a minute`,r/60),e===`acceleration`&&o(`rpm`,`rpm/s`,`Turns a minute, each second`,r/60),o(`mm`,`mm${i}`,`Millimetres of the load`,r/t.mmPerTurn),a}function me(e,t,n){let r=e*t.pulses;return n.map(e=>{let t=r/e.pulses;if(e.range===void 0)return{unit:e,exact:t,shown:t,fits:Number.isFinite(t)};let[n,i]=e.range,a=Math.round(t);return{unit:e,exact:t,shown:Math.min(Math.max(a,n),i),fits:a>=n&&a<=i}})}function N(e){if(!Number.isFinite(e))return`–`;let t=Number(e.toPrecision(7)),n=Math.abs(t);return n!==0&&(n>=0xe8d4a51000||n<1e-6)?t.toExponential():t.toString()}var he=[`position`,`speed`,`acceleration`],ge=class extends j{static properties={...j.properties,drive:{state:!0},divisors:{state:!0},ratio:{state:!0},entries:{state:!0},ramp:{state:!0},counts:{state:!0}};static styles=[s,A,e`
+    `}#t(e,t){let r=n(t.value),{low:i,high:a}=e;r!==null&&(i===null||r>=i)&&(a===null||r<=a)?this.values={...this.values,[e.id]:r}:t.value=String(this.values[e.id]??``)}};function me(e){return e.fullSteps*e.microsteps}function M(e,t,n){let r=me(t),i={position:``,speed:`/s`,acceleration:`/s²`}[e],a=[],o=(e,t,n,r,i)=>{Number.isFinite(r)&&r>0&&a.push({id:e,label:t,name:n,pulses:r,...i&&{range:i}})},{divisors:s,pulsesPerCount:c}=n;return s!==void 0&&e===`speed`&&o(`int`,`int`,`Internal speed`,S(s.pulse),[-x,x]),s!==void 0&&e===`acceleration`&&o(`int`,`int`,`Internal acceleration`,C(s),[0,x]),o(`pulses`,{position:`pulses`,speed:`pps`,acceleration:`pps²`}[e],`Pulses`,1),c!==void 0&&o(`counts`,`counts${i}`,`Encoder counts`,c),o(`full`,`full steps${i}`,`Full steps`,t.microsteps),o(`turns`,`turns${i}`,`Turns of the motor`,r),e===`position`&&o(`degrees`,`°`,`Degrees`,r/360),e===`speed`&&o(`rpm`,`rpm`,`Turns a minute`,r/60),e===`acceleration`&&o(`rpm`,`rpm/s`,`Turns a minute, each second`,r/60),o(`mm`,`mm${i}`,`Millimetres of the load`,r/t.mmPerTurn),a}function he(e,t,n){let r=e*t.pulses;return n.map(e=>{let t=r/e.pulses;if(e.range===void 0)return{unit:e,exact:t,shown:t,fits:Number.isFinite(t)};let[n,i]=e.range,a=Math.round(t);return{unit:e,exact:t,shown:Math.min(Math.max(a,n),i),fits:a>=n&&a<=i}})}function N(e){if(!Number.isFinite(e))return`–`;let t=Number(e.toPrecision(7)),n=Math.abs(t);return n!==0&&(n>=0xe8d4a51000||n<1e-6)?t.toExponential():t.toString()}var ge=[`position`,`speed`,`acceleration`],_e=class extends j{static properties={...j.properties,drive:{state:!0},divisors:{state:!0},ratio:{state:!0},entries:{state:!0},ramp:{state:!0},counts:{state:!0}};static styles=[s,A,e`
       .quantities {
         display: grid;
         grid-template-columns: repeat(auto-fit, minmax(250px, 1fr));
@@ -73,7 +73,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
       .off input {
         border-color: var(--error);
       }
-    `];constructor(){super(),this.drive={fullSteps:200,microsteps:256,mmPerTurn:5},this.divisors={pulse:2,ramp:3},this.ratio=1,this.entries={position:{unit:`turns`,value:1},speed:{unit:`rpm`,value:60},acceleration:{unit:`turns`,value:10}},this.ramp={low:100,high:1e3,ms:300},this.counts=4e3}get#e(){return this.catalog.language===`tmcl`}needs(){return E(this.catalog,this.axis)}willUpdate(e){super.willUpdate(e),e.has(`device`)&&this.device&&(this.drive=_e(this.device.name,this.#e)),e.has(`values`)&&this.#t()}#t(){let e=le(this.catalog,this.axis,this.values);e!==null&&(this.drive={...this.drive,microsteps:e});let{divisors:t,pulsesPerCount:n}=ce(this.catalog,this.axis,this.values);t&&Object.keys(this.values).length>0&&(this.divisors=t),n&&(this.ratio=n);let[r,i,a]=[`LSPD`,`HSPD`,`ACC`].map(e=>Number(this.values[e+this.axis])||Number(this.values[e]));r&&i&&a&&(this.ramp={low:r,high:i,ms:a})}get#n(){return this.#e?{divisors:this.divisors}:{pulsesPerCount:this.ratio}}#r(e){this.drive={...this.drive,...e},localStorage.setItem(P(this.device.name),JSON.stringify(this.drive))}#i(e){let{unit:t,value:n}=this.entries[e];return n*(M(e,this.drive,this.#n).find(({id:e})=>e===t)?.pulses??1)}render(){return u`
+    `];constructor(){super(),this.drive={fullSteps:200,microsteps:256,mmPerTurn:5},this.divisors={pulse:2,ramp:3},this.ratio=1,this.entries={position:{unit:`turns`,value:1},speed:{unit:`rpm`,value:60},acceleration:{unit:`turns`,value:10}},this.ramp={low:100,high:1e3,ms:300},this.counts=4e3}get#e(){return this.catalog.language===`tmcl`}needs(){return E(this.catalog,this.axis)}willUpdate(e){super.willUpdate(e),e.has(`device`)&&this.device&&(this.drive=ve(this.device.name,this.#e)),e.has(`values`)&&this.#t()}#t(){let e=ue(this.catalog,this.axis,this.values);e!==null&&(this.drive={...this.drive,microsteps:e});let{divisors:t,pulsesPerCount:n}=le(this.catalog,this.axis,this.values);t&&Object.keys(this.values).length>0&&(this.divisors=t),n&&(this.ratio=n);let[r,i,a]=[`LSPD`,`HSPD`,`ACC`].map(e=>Number(this.values[e+this.axis])||Number(this.values[e]));r&&i&&a&&(this.ramp={low:r,high:i,ms:a})}get#n(){return this.#e?{divisors:this.divisors}:{pulsesPerCount:this.ratio}}#r(e){this.drive={...this.drive,...e},localStorage.setItem(P(this.device.name),JSON.stringify(this.drive))}#i(e){let{unit:t,value:n}=this.entries[e];return n*(M(e,this.drive,this.#n).find(({id:e})=>e===t)?.pulses??1)}render(){return u`
       <section class="panel stack" aria-label="Drive">
         <div class="row">
           <h2 class="grow">Drive</h2>
@@ -90,7 +90,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
               `:this.#a(`Pulses a count (SLR)`,this.ratio,.001,999.999,e=>this.ratio=e)}
         </div>
       </section>
-      <div class="quantities">${he.map(e=>this.#o(e))}</div>
+      <div class="quantities">${ge.map(e=>this.#o(e))}</div>
       ${this.#e?this.#c():this.#u()}
     `}#a(e,t,r,a,o){return u`
       <label>
@@ -105,9 +105,9 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
     `}#o(e){let t=M(e,this.drive,this.#n),{unit:n,value:i}=this.entries[e],a=t.find(({id:e})=>e===n)??t[0];return a?u`
       <section class="panel" aria-label=${e}>
         <h2>${e[0]?.toUpperCase()}${e.slice(1)}</h2>
-        <table>
+        <table aria-label="The same ${e} in each unit">
           <tbody>
-            ${me(i,a,t).map(({unit:t,shown:n,exact:o,fits:s})=>{let c=t===a&&Number.isFinite(o)?String(i):N(n);return u`
+            ${he(i,a,t).map(({unit:t,shown:n,exact:o,fits:s})=>{let c=t===a&&Number.isFinite(o)?String(i):N(n);return u`
                 <tr class=${s?``:`off`}>
                   <td>
                     <input
@@ -128,7 +128,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           </tbody>
         </table>
       </section>
-    `:r}#s(e,t,r){let i=n(r.value);r.setAttribute(`aria-invalid`,String(i===null)),i!==null&&(this.entries={...this.entries,[e]:{unit:t.id,value:i}})}#c(){let e=te(Math.abs(this.#i(`speed`)),Math.abs(this.#i(`acceleration`))),{microsteps:t,fullSteps:n}=this.drive,r=e.pulse===this.divisors.pulse&&e.ramp===this.divisors.ramp;return u`
+    `:r}#s(e,t,r){let i=n(r.value);r.setAttribute(`aria-invalid`,String(i===null)),i!==null&&(this.entries={...this.entries,[e]:{unit:t.id,value:i}})}#c(){let e=ne(Math.abs(this.#i(`speed`)),Math.abs(this.#i(`acceleration`))),{microsteps:t,fullSteps:n}=this.drive,r=e.pulse===this.divisors.pulse&&e.ramp===this.divisors.ramp;return u`
       <section class="panel stack" aria-label="Divisors and prescalers">
         <h2>Divisors and prescalers</h2>
         <p class="text">
@@ -141,12 +141,12 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           <button class="small" ?disabled=${!this.usable} @click=${()=>this.#l(e)}>Write to the controller</button>
         </div>
         <div class="row end">
-          <span>SensOstep prescaler (AP 210) <strong>${re(t,n)}</strong></span>
+          <span>SensOstep prescaler (AP 210) <strong>${ie(t,n)}</strong></span>
           ${this.#a(`Counts a turn, external encoder`,this.counts,1,1e7,e=>this.counts=e)}
-          <span>External prescaler (AP 217) <strong>${ie(t,n,this.counts)}</strong></span>
+          <span>External prescaler (AP 217) <strong>${ae(t,n,this.counts)}</strong></span>
         </div>
       </section>
-    `}async#l({pulse:e,ramp:t}){await this.write(`AP154.${this.axis}`,e)&&await this.write(`AP153.${this.axis}`,t)&&i(`Divisors written; speeds and accelerations in internal units mean other speeds now.`)}#u(){let{low:e,high:t,ms:n}=this.ramp,i=e=>this.ramp={...this.ramp,...e},o=_(this.catalog.speed_windows,t),[s,c]=o?v(o,e,t):[0,0],l=(t-e)*1e3/n;return u`
+    `}async#l({pulse:e,ramp:t}){await this.write(`AP154.${this.axis}`,e)&&await this.write(`AP153.${this.axis}`,t)&&i(`Divisors written; speeds and accelerations in internal units mean other speeds now.`)}#u(){let{low:e,high:t,ms:n}=this.ramp,i=e=>this.ramp={...this.ramp,...e},o=v(this.catalog.speed_windows,t),[s,c]=o?y(o,e,t):[0,0],l=(t-e)*1e3/n;return u`
       <section class="panel stack" aria-label="Ramp">
         <h2>Ramp</h2>
         <div class="fields">
@@ -161,7 +161,10 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
               ${n} ms.
             </p>`:r}
       </section>
-    `}};customElements.define(`pt-calculator`,ge);var P=e=>`drive ${e}`;function _e(e,t){let n={fullSteps:200,microsteps:t?256:10,mmPerTurn:5};try{let t=JSON.parse(localStorage.getItem(P(e))??`{}`),r=e=>typeof t[e]==`number`?t[e]:n[e];return{fullSteps:r(`fullSteps`),microsteps:r(`microsteps`),mmPerTurn:r(`mmPerTurn`)}}catch{return n}}var ve=80,ye=3,be=12e4;async function F(e,t,n,r){let i=performance.now()+be,a=0,o;for(;;){let s=(await e.status(t)).axes[n];if(s===void 0)throw Error(`There is no axis ${n}.`);if(a=s.speed===0&&s.position===o?.position&&s.encoder===o.encoder?a+1:0,a>=ye||r())return s;if(performance.now()>i)throw Error(`Axis ${n} does not come to rest.`);o=s,await new Promise(e=>window.setTimeout(e,ve))}}var I=[[`negative_limit`,`Negative limit`],[`home`,`Home`],[`positive_limit`,`Positive limit`],[`index`,`Index`]],xe=class extends j{static properties={...j.properties,mode:{state:!0},direction:{state:!0},running:{state:!0},result:{state:!0}};watches=[`status`];#e=new Map;#t=!1;#n=null;static styles=[s,A,h,e`
+    `}};customElements.define(`pt-calculator`,_e);var P=e=>`drive ${e}`;function ve(e,t){let n={fullSteps:200,microsteps:t?256:10,mmPerTurn:5};try{let t=JSON.parse(localStorage.getItem(P(e))??`{}`),r=e=>typeof t[e]==`number`?t[e]:n[e];return{fullSteps:r(`fullSteps`),microsteps:r(`microsteps`),mmPerTurn:r(`mmPerTurn`)}}catch{return n}}var ye=80,be=3,xe=12e4;async function F(e,t,n,r){let i=performance.now()+xe,a=0,o;for(;;){let s=(await e.status(t)).axes[n];if(s===void 0)throw Error(`There is no axis ${n}.`);if(a=s.speed===0&&s.position===o?.position&&s.encoder===o.encoder?a+1:0,a>=be||r())return s;if(performance.now()>i)throw Error(`Axis ${n} does not come to rest.`);o=s,await new Promise(e=>window.setTimeout(e,ye))}}var I=[[`negative_limit`,`Negative limit`],[`home`,`Home`],[`positive_limit`,`Positive limit`],[`index`,`Index`]],Se=class extends j{static properties={...j.properties,mode:{state:!0},direction:{state:!0},running:{state:!0},result:{state:!0}};watches=[`status`];#e=new Map;#t=!1;#n=null;static styles=[s,A,h,e`
+      button.primary {
+        white-space: normal;
+      }
       h2 span {
         display: inline-grid;
         place-items: center;
@@ -210,33 +213,33 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
       pt-hold {
         width: 90px;
       }
-    `];constructor(){super(),this.mode=-1,this.direction=-1,this.running=!1,this.result=null}disconnectedCallback(){super.disconnectedCallback(),this.#t=!0}needs(){let{axis:e}=this;if(this.catalog.language===`tmcl`)return D(this.catalog,[194,195,149,12,13].map(t=>`AP${t}.${e}`));let t=[`HSPD`,`LSPD`,`ACC`,`HCA`,`LCA`].flatMap(t=>[t+e,t]);return D(this.catalog,[...t,`RZ`,`ZCNT${e}`,`ZCNT`])}get#r(){return this.live.status?.axes[this.axis]}get#i(){return this.catalog.homing.find(({id:e})=>e===this.mode)??this.catalog.homing[0]}#a(e){for(let[t]of I){let n=e?.[t];n!=null&&this.#e.set(t,(this.#e.get(t)??new Set).add(n))}}#o(e){let t=l(()=>this.api.act(this.device.name,{do:`jog`,axis:this.axis,direction:e}));this.#n=t.finally(()=>this.#n=null)}#s(){let e=()=>l(()=>this.api.act(this.device.name,{do:`stop`,axis:this.axis})),t=this.#n;e(),t&&t.then(e)}async#c(e,t){let{axis:n,device:r}=this;this.running=!0,this.#t=!1,this.result=null,await l(async()=>{await this.api.act(r.name,{do:`home`,axis:n,mode:e.id,direction:t});let i=await F(this.api,r.name,n,()=>this.#t),a=i.error===null&&!this.#t,o=a?`The axis rests at ${c(i.position)} ${this.catalog.units.position}.`:i.error??`Stopped before the end.`;this.result={ok:a,text:o}})||(this.result={ok:!1,text:`Homing was not done.`}),this.running=!1}async#l(){this.#t=!0,await l(()=>this.api.stop(this.device.name))}render(){let e=this.#r;this.#a(e);let t=this.#i;if(!t)return u`<p class="muted">This controller has no homing.</p>`;let n=t.directions.map(e=>e===`+`?1:-1),r=n.includes(this.direction)?this.direction:n[0]??-1;return u`
-      ${this.#d(e)} ${this.#f(e)} ${this.#p(t,n,r)}
-      ${this.#h(e)} ${this.#g(e,t,r)}
-    `}#u(e,t){return u`<h2 class="grow"><span>${e}</span>${t}</h2>`}#d(e){return u`
+    `];constructor(){super(),this.mode=-1,this.direction=-1,this.running=!1,this.result=null}disconnectedCallback(){super.disconnectedCallback(),this.#t=!0}needs(){let{axis:e}=this;if(this.catalog.language===`tmcl`)return D(this.catalog,[194,195,149,12,13].map(t=>`AP${t}.${e}`));let t=[`HSPD`,`LSPD`,`ACC`,`HCA`,`LCA`].flatMap(t=>[t+e,t]);return D(this.catalog,[...t,`RZ`,`ZCNT${e}`,`ZCNT`])}get#r(){return this.live.status?.axes[this.axis]}get#i(){return this.catalog.homing.find(({id:e})=>e===this.mode)??this.catalog.homing[0]}#a(e){for(let[t]of I){let n=e?.[t];n!=null&&this.#e.set(t,(this.#e.get(t)??new Set).add(n))}}#o(e){this.#n=new g(this.api,this.live,this.axis),this.#n.begin(e)}async#s(e,t){let{axis:n,device:r}=this;this.running=!0,this.#t=!1,this.result=null,await l(async()=>{await this.api.act(r.name,{do:`home`,axis:n,mode:e.id,direction:t});let i=await F(this.api,r.name,n,()=>this.#t),a=i.error===null&&!this.#t,o=a?`The axis rests at ${c(i.position)} ${this.catalog.units.position}.`:i.error??`Stopped before the end.`;this.result={ok:a,text:o}})||(this.result={ok:!1,text:`Homing was not done.`}),this.running=!1}async#c(){this.#t=!0,await l(()=>this.api.stop(this.device.name))}render(){let e=this.#r;this.#a(e);let t=this.#i;if(!t)return u`<p class="muted">This controller has no homing.</p>`;let n=t.directions.map(e=>e===`+`?1:-1),r=n.includes(this.direction)?this.direction:n[0]??-1;return u`
+      ${this.#u(e)} ${this.#d(e)} ${this.#f(t,n,r)}
+      ${this.#m(e)} ${this.#h(e,t,r)}
+    `}#l(e,t){return u`<h2 class="grow"><span>${e}</span>${t}</h2>`}#u(e){return u`
       <section class="panel stack" aria-label="Switches">
-        <div class="row">${this.#u(1,`Do the switches work?`)} ${this.picker()}</div>
+        <div class="row">${this.#l(1,`Do the switches work?`)} ${this.picker()}</div>
         <p class="text">Press each switch by hand, or in the tab I/O, and see its lamp go on and off.</p>
         <ul>
           ${I.filter(([t])=>e?.[t]!==null&&e?.[t]!==void 0).map(([t,n])=>{let r=this.#e.get(t)?.size===2;return u`
               <li>
-                ${g(n,e?.[t],n)}
+                ${_(n,e?.[t],n)}
                 <span class="badge ${r?`ok`:``}">${r?`works`:`not seen to change`}</span>
               </li>
             `})}
         </ul>
       </section>
-    `}#f(e){let t=(e,t,n)=>u`
+    `}#d(e){let t=(e,t,n)=>u`
       <pt-hold
         label=${t}
         .disabled=${!this.usable||this.running}
         @begin=${()=>this.#o(e)}
-        @end=${this.#s}
+        @end=${()=>this.#n?.end()}
         >${n}</pt-hold
       >
     `;return u`
       <section class="panel stack" aria-label="Direction">
-        ${this.#u(2,`Does it turn the right way?`)}
+        ${this.#l(2,`Does it turn the right way?`)}
         <p class="text">Hold a button for a moment: plus must move the load towards the positive limit.</p>
         <div class="row">
           ${t(-1,`Jog in negative direction`,`◀ −`)} ${t(1,`Jog in positive direction`,`+ ▶`)}
@@ -244,9 +247,9 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           ${e?.encoder===null||e===void 0?r:u`<span>Encoder <strong>${c(e.encoder)}</strong></span>`}
         </div>
       </section>
-    `}#p(e,t,n){let{tried:i}=this;return u`
+    `}#f(e,t,n){let{tried:i}=this;return u`
       <section class="panel stack" aria-label="Way of homing">
-        ${this.#u(3,`How?`)}
+        ${this.#l(3,`How?`)}
         <div class="modes" role="radiogroup" aria-label="Way of homing">
           ${this.catalog.homing.map(t=>u`
               <label class="mode">
@@ -266,11 +269,11 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         </div>
         <div class="fields">${this.needs().map(e=>this.trial(e))}</div>
         ${i.length>0?u`<div class="row">
-              <button class="primary" ?disabled=${!this.usable} @click=${()=>this.#m()}>Write ${i.length}</button>
+              <button class="primary" ?disabled=${!this.usable} @click=${()=>this.#p()}>Write ${i.length}</button>
               <button @click=${()=>this.values={...this.read}}>Undo</button>
             </div>`:r}
       </section>
-    `}async#m(){await this.writeTried(),this.tried.length===0&&i(`Written`)}#h(e){let t=(e,t,n=r)=>u`
+    `}async#p(){await this.writeTried(),this.tried.length===0&&i(`Written`)}#m(e){let t=(e,t,n=r)=>u`
       <li><span class="badge ${e?`ok`:`warn`}">${e?`good`:`look`}</span>${t} ${e?r:n}</li>
     `,n=(e,t)=>u`
       <button class="small" ?disabled=${!this.usable} @click=${()=>l(()=>this.api.act(this.device.name,t))}>
@@ -278,7 +281,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
       </button>
     `;if(!e)return r;let{axis:i}=this,a=e.enabled!==!1,o=I.filter(([e])=>e!==`index`&&this.#e.get(e)?.size===1).map(([,e])=>e),s=I.filter(([t])=>t!==`index`&&e[t]===!0).map(([,e])=>e);return u`
       <section class="panel stack" aria-label="Before it goes">
-        ${this.#u(4,`Is all well?`)}
+        ${this.#l(4,`Is all well?`)}
         <ul>
           ${t(a,a?`The motor has power.`:`The motor has no power.`,n(`Power on`,{do:`power`,axis:i,on:!0}))}
           ${t(e.error===null,e.error??`No error.`,n(`Clear`,{do:`clear_error`,axis:i}))}
@@ -287,11 +290,11 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           ${s.length===0?t(!0,`No switch is on.`):t(!1,`On now: ${s.join(`, `)}. The search begins there.`)}
         </ul>
       </section>
-    `}#g(e,t,n){let i=this.usable&&this.tried.length===0&&e?.error===null&&e.enabled!==!1;return u`
+    `}#h(e,t,n){let i=this.usable&&this.tried.length===0&&e?.error===null&&e.enabled!==!1;return u`
       <section class="panel stack" aria-label="Go">
-        ${this.#u(5,`Go`)}
+        ${this.#l(5,`Go`)}
         <div class="row">
-          ${this.running?u`<button class="stop" @click=${()=>this.#l()}>Stop</button>`:u`<button class="primary" ?disabled=${!i} @click=${()=>this.#c(t,n)}>
+          ${this.running?u`<button class="stop" @click=${()=>this.#c()}>Stop</button>`:u`<button class="primary" ?disabled=${!i} @click=${()=>this.#s(t,n)}>
                 Home ${this.axis} by ${t.name}, ${n>0?`positive`:`negative`}
               </button>`}
           <span class="badge ${this.running?`busy`:``}">${e?.state??``}</span>
@@ -302,7 +305,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
               ${this.result.text}
             </p>`}
       </section>
-    `}};customElements.define(`pt-homing-wizard`,xe);function L(e,t,n,r,i){let a=Math.max(t-e,0),o=Math.max(n-e,0);return a===0||r<=0?0:i?o/r*Math.sqrt(a/o):a/r}function R({low:e,high:t,seconds:n}){return(e+t)/2*n}function Se(e){let{sCurve:t,topPps:n}=e,r=Math.abs(e.pulses),i=Math.min(e.startPps,n),a=Math.min(e.stopPps,n),o=r=>[{low:i,high:r,seconds:L(i,r,n,e.acceleration,t),sCurve:t},{low:a,high:r,seconds:L(a,r,n,e.deceleration,t),sCurve:t}],s=e=>o(e).reduce((e,t)=>e+R(t),0),c=s(n)<=r,l=c?n:Ce(Math.max(i,a),n,e=>s(e)<=r),[u,d]=o(l),f=Math.max(r-R(u)-R(d),0),p=l>0?f/l:0;return{up:u,cruiseSeconds:p,down:d,peakPps:l,seconds:u.seconds+p+d.seconds,pulses:r,reached:c}}function Ce(e,t,n){for(let r=0;r<60;r+=1){let r=(e+t)/2;n(r)?e=r:t=r}return e}function z(e,t){let{low:n,high:r}=e;if(e.seconds===0)return[r,0];let i=Math.min(Math.max(t/e.seconds,0),1),a=r-n,o=e.sCurve?i<.5?2*i*i:1-2*(1-i)**2:i,s=e.sCurve?i<.5?2/3*i**3:i-.5+2/3*(1-i)**3:i*i/2;return[n+a*o,(n*i+a*s)*e.seconds]}function we(e,t){let{up:n,down:r,cruiseSeconds:i,peakPps:a}=e,o=Math.min(Math.max(t,0),e.seconds);if(o<=n.seconds){let[e,t]=z(n,o);return{seconds:o,pps:e,pulses:t}}if(o<=n.seconds+i)return{seconds:o,pps:a,pulses:R(n)+(o-n.seconds)*a};let[s,c]=z(r,e.seconds-o);return{seconds:o,pps:s,pulses:e.pulses-c}}function Te(e,t){let n=Array.from({length:t},(n,r)=>e.seconds*r/(t-1)),r=[e.up.seconds,e.up.seconds+e.cruiseSeconds];return[...n,...r].sort((e,t)=>e-t).map(t=>we(e,t))}var B=900,V=260,[H,U,W,G]=[70,76,12,30],Ee=241,De=4,Oe=class extends j{static properties={...j.properties,distance:{state:!0}};static styles=[s,A,e`
+    `}};customElements.define(`pt-homing-wizard`,Se);function L(e,t,n,r,i){let a=Math.max(t-e,0),o=Math.max(n-e,0);return a===0||r<=0?0:i?o/r*Math.sqrt(a/o):a/r}function R({low:e,high:t,seconds:n}){return(e+t)/2*n}function Ce(e){let{sCurve:t,topPps:n}=e,r=Math.abs(e.pulses),i=Math.min(e.startPps,n),a=Math.min(e.stopPps,n),o=r=>[{low:i,high:r,seconds:L(i,r,n,e.acceleration,t),sCurve:t},{low:a,high:r,seconds:L(a,r,n,e.deceleration,t),sCurve:t}],s=e=>o(e).reduce((e,t)=>e+R(t),0),c=s(n)<=r,l=c?n:we(Math.max(i,a),n,e=>s(e)<=r),[u,d]=o(l),f=Math.max(r-R(u)-R(d),0),p=l>0?f/l:0;return{up:u,cruiseSeconds:p,down:d,peakPps:l,seconds:u.seconds+p+d.seconds,pulses:r,reached:c}}function we(e,t,n){for(let r=0;r<60;r+=1){let r=(e+t)/2;n(r)?e=r:t=r}return e}function z(e,t){let{low:n,high:r}=e;if(e.seconds===0)return[r,0];let i=Math.min(Math.max(t/e.seconds,0),1),a=r-n,o=e.sCurve?i<.5?2*i*i:1-2*(1-i)**2:i,s=e.sCurve?i<.5?2/3*i**3:i-.5+2/3*(1-i)**3:i*i/2;return[n+a*o,(n*i+a*s)*e.seconds]}function Te(e,t){let{up:n,down:r,cruiseSeconds:i,peakPps:a}=e,o=Math.min(Math.max(t,0),e.seconds);if(o<=n.seconds){let[e,t]=z(n,o);return{seconds:o,pps:e,pulses:t}}if(o<=n.seconds+i)return{seconds:o,pps:a,pulses:R(n)+(o-n.seconds)*a};let[s,c]=z(r,e.seconds-o);return{seconds:o,pps:s,pulses:e.pulses-c}}function Ee(e,t){let n=Array.from({length:t},(n,r)=>e.seconds*r/(t-1)),r=[e.up.seconds,e.up.seconds+e.cruiseSeconds];return[...n,...r].sort((e,t)=>e-t).map(t=>Te(e,t))}var B=900,V=260,[H,U,W,G]=[70,76,12,30],De=241,Oe=4,ke=class extends j{static properties={...j.properties,distance:{state:!0}};static styles=[s,A,e`
       svg {
         display: block;
         width: 100%;
@@ -336,7 +339,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
       text.of-position {
         fill: var(--curve-2);
       }
-    `];constructor(){super(),this.distance=0}needs(){return E(this.catalog,this.axis)}firstUpdated(){this.distance=this.catalog.language===`tmcl`?51200:1e4}async#e(){await l(()=>this.api.act(this.device.name,{do:`move`,targets:{[this.axis]:this.distance},relative:!0}),`Move begun`)}render(){let e=Object.keys(this.values).length>0,{move:t,notes:i}=ue(this.catalog,this.axis,this.values,this.distance),a=Se(t),{tried:o}=this;return u`
+    `];constructor(){super(),this.distance=0}needs(){return E(this.catalog,this.axis)}firstUpdated(){this.distance=this.catalog.language===`tmcl`?51200:1e4}async#e(){await l(()=>this.api.act(this.device.name,{do:`move`,targets:{[this.axis]:this.distance},relative:!0}),`Move begun`)}render(){let e=Object.keys(this.values).length>0,{move:t,notes:i}=de(this.catalog,this.axis,this.values,this.distance),a=Ce(t),{tried:o}=this;return u`
       <section class="panel stack" aria-label="Move">
         <div class="row">
           <h2 class="grow">Move</h2>
@@ -382,7 +385,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         </dl>
         ${this.#r(e)} ${t.map(e=>u`<p class="warn-text">${e}</p>`)}
       </section>
-    `}#r(e){let n=Te(e,Ee),r=t=>H+t/e.seconds*(B-H-U),i=e=>V-G-e*(V-W-G),o=e=>n.map(t=>`${r(t.seconds).toFixed(1)},${i(e(t)).toFixed(1)}`).join(` `),s=this.distance<0?-1:1,l=Array.from({length:5},(e,t)=>t/De),d=`Speed rises to ${Math.round(e.peakPps)} pulses a second and falls again within ${e.seconds.toFixed(3)} seconds.`;return u`
+    `}#r(e){let n=Ee(e,De),r=t=>H+t/e.seconds*(B-H-U),i=e=>V-G-e*(V-W-G),o=e=>n.map(t=>`${r(t.seconds).toFixed(1)},${i(e(t)).toFixed(1)}`).join(` `),s=this.distance<0?-1:1,l=Array.from({length:5},(e,t)=>t/Oe),d=`Speed rises to ${Math.round(e.peakPps)} pulses a second and falls again within ${e.seconds.toFixed(3)} seconds.`;return u`
       <svg viewBox="0 0 ${B} ${V}" role="img" aria-label=${d}>
         ${l.map(n=>t`
             <line class="grid" x1=${H} x2=${B-U} y1=${i(n)} y2=${i(n)} />
@@ -396,11 +399,11 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         <polyline class="speed" points=${o(({pps:t})=>t/e.peakPps)} />
       </svg>
       <p class="muted">Full: speed in pulses a second. Dashed: way in pulses.</p>
-    `}};customElements.define(`pt-preview`,Oe);var K=[.001,999.999];function ke(e){let t=e.filter(({pulses:e})=>e!==0),n=t.reduce((e,t)=>e+Math.abs(t.pulses),0),r=t.reduce((e,t)=>e+t.counts*Math.sign(t.pulses),0),i=n/r;if(r===0||n===0)return{ok:!1,reason:`no encoder`,exact:1/0};if(i<0)return{ok:!1,reason:`wrong way`,exact:i};let a=Number(i.toFixed(3));if(a<K[0]||a>K[1])return{ok:!1,reason:`out of range`,exact:i};let o=t.map(e=>Math.abs(e.pulses/e.counts));return{ok:!0,ratio:a,exact:i,spread:Math.max(...o)-Math.min(...o)}}var Ae={"no encoder":`The encoder did not count. Is it connected, has it power, and does the motor turn?`,"wrong way":`The encoder counts against the motor. Invert the direction or the encoder in the polarity (POL).`,"out of range":`The ratio is outside ${K[0]} to ${K[1]}. Choose another microstepping or encoder decoding.`},q=[1,-1,1,-1],je=1e6,Me=class extends j{static properties={...j.properties,pulses:{state:!0},trials:{state:!0},running:{state:!0}};watches=[`status`];#e=!1;static styles=[s,A,e`
+    `}};customElements.define(`pt-preview`,ke);var K=[.001,999.999];function Ae(e){let t=e.filter(({pulses:e})=>e!==0),n=t.reduce((e,t)=>e+Math.abs(t.pulses),0),r=t.reduce((e,t)=>e+t.counts*Math.sign(t.pulses),0),i=n/r;if(r===0||n===0)return{ok:!1,reason:`no encoder`,exact:1/0};if(i<0)return{ok:!1,reason:`wrong way`,exact:i};let a=Number(i.toFixed(3));if(a<K[0]||a>K[1])return{ok:!1,reason:`out of range`,exact:i};let o=t.map(e=>Math.abs(e.pulses/e.counts));return{ok:!0,ratio:a,exact:i,spread:Math.max(...o)-Math.min(...o)}}var je={"no encoder":`The encoder did not count. Is it connected, has it power, and does the motor turn?`,"wrong way":`The encoder counts against the motor. Invert the direction or the encoder in the polarity (POL).`,"out of range":`The ratio is outside ${K[0]} to ${K[1]}. Choose another microstepping or encoder decoding.`},q=[1,-1,1,-1],Me=1e6,Ne=class extends j{static properties={...j.properties,pulses:{state:!0},trials:{state:!0},running:{state:!0}};watches=[`status`];#e=!1;static styles=[s,A,e`
       table {
         max-width: 420px;
       }
-    `];constructor(){super(),this.pulses=1e3,this.trials=[],this.running=!1}disconnectedCallback(){super.disconnectedCallback(),this.#e=!0}get#t(){return{loop:`SL${this.axis}`,ratio:`SLR${this.axis}`}}needs(){return D(this.catalog,[this.#t.loop,this.#t.ratio])}async#n(){this.running=!0,this.#e=!1,this.trials=[],await l(()=>this.#r()),this.running=!1}async#r(){let{name:e}=this.device,{axis:t}=this;if(this.read[this.#t.loop]===0||await this.write(this.#t.loop,0))for(let n of q){let r=await F(this.api,e,t,()=>this.#e);await this.api.act(e,{do:`move`,targets:{[t]:n*this.pulses},relative:!0});let i=await F(this.api,e,t,()=>this.#e);if(this.#e)return;if(i.error!==null)throw Error(`Axis ${t} stopped: ${i.error}.`);if(i.encoder===null||r.encoder===null)throw Error(`This axis has no encoder.`);let a={pulses:i.position-r.position,counts:i.encoder-r.encoder};if(this.trials=[...this.trials,a],a.pulses!==n*this.pulses)throw Error(`The axis did not go all the way; was it stopped?`)}}#i(){return l(()=>this.api.act(this.device.name,{do:`power`,axis:this.axis,on:!0}))}async#a(){this.#e=!0,await l(()=>this.api.stop(this.device.name))}async#o(e){await this.write(this.#t.ratio,e)&&i(`${this.#t.ratio}=${e.toFixed(3)}; store it to keep it.`)}render(){let e=this.trials.length===q.length?ke(this.trials):null,t=this.live.status?.axes[this.axis];return u`
+    `];constructor(){super(),this.pulses=1e3,this.trials=[],this.running=!1}disconnectedCallback(){super.disconnectedCallback(),this.#e=!0}get#t(){return{loop:`SL${this.axis}`,ratio:`SLR${this.axis}`}}needs(){return D(this.catalog,[this.#t.loop,this.#t.ratio])}async#n(){this.running=!0,this.#e=!1,this.trials=[],await l(()=>this.#r()),this.running=!1}async#r(){let{name:e}=this.device,{axis:t}=this;if(this.read[this.#t.loop]===0||await this.write(this.#t.loop,0))for(let n of q){let r=await F(this.api,e,t,()=>this.#e);await this.api.act(e,{do:`move`,targets:{[t]:n*this.pulses},relative:!0});let i=await F(this.api,e,t,()=>this.#e);if(this.#e)return;if(i.error!==null)throw Error(`Axis ${t} stopped: ${i.error}.`);if(i.encoder===null||r.encoder===null)throw Error(`This axis has no encoder.`);let a={pulses:i.position-r.position,counts:i.encoder-r.encoder};if(this.trials=[...this.trials,a],a.pulses!==n*this.pulses)throw Error(`The axis did not go all the way; was it stopped?`)}}#i(){return l(()=>this.api.act(this.device.name,{do:`power`,axis:this.axis,on:!0}))}async#a(){this.#e=!0,await l(()=>this.api.stop(this.device.name))}async#o(e){await this.write(this.#t.ratio,e)&&i(`${this.#t.ratio}=${e.toFixed(3)}; store it to keep it.`)}render(){let e=this.trials.length===q.length?Ae(this.trials):null,t=this.live.status?.axes[this.axis];return u`
       <section class="panel stack" aria-label="StepNLoop ratio">
         <div class="row">
           <h2 class="grow">StepNLoop ratio</h2>
@@ -417,7 +420,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
               inputmode="numeric"
               autocomplete="off"
               .value=${String(this.pulses)}
-              @change=${e=>{let t=e.target,n=o(t.value);n!==null&&n!==0&&Math.abs(n)<=je?this.pulses=n:t.value=String(this.pulses)}}
+              @change=${e=>{let t=e.target,n=o(t.value);n!==null&&n!==0&&Math.abs(n)<=Me?this.pulses=n:t.value=String(this.pulses)}}
             />
           </label>
           ${this.running?u`<button class="stop" @click=${()=>this.#a()}>Stop</button>`:u`<button class="primary" ?disabled=${!this.usable||t?.enabled===!1} @click=${()=>this.#n()}>
@@ -438,7 +441,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
                     Write ${this.#t.ratio}
                   </button>
                 </div>
-              `:u`<p class="error-text" role="alert">${Ae[e.reason]}</p>`}
+              `:u`<p class="error-text" role="alert">${je[e.reason]}</p>`}
       </section>
     `}#s(){return u`
       <table aria-label="Moves">
@@ -459,7 +462,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
             `)}
         </tbody>
       </table>
-    `}};customElements.define(`pt-ratio-finder`,Me);var J=1023,Y=32,X={maxCurrent:6,standbyCurrent:7,minimum:168,down:169,hysteresis:170,up:171,start:172,filter:173,threshold:174,actualCurrent:180,stopSpeed:181,coolStepSpeed:182,slowCurrent:183,load:206};function Ne(e,t){return e===0?null:[e*Y,(e+t+1)*Y]}var Pe=[32,8,2,1],Fe=[1,2,4,8];function Z(e){return(e>>3)+1}function Ie(e,t){let n=Z(e);return[Math.max(n>>(t===0?1:2),1),n]}function Le(e){if(e.length===0)return null;let t=e.reduce((e,t)=>e+t,0)/e.length;return{count:e.length,least:Math.min(...e),most:Math.max(...e),mean:t}}function Re(e,t){return e===null?`Run the motor at its working speed without load.`:e.most>=1023?`The reading is at its end: lower the threshold until it is not.`:e.least===0?`The motor would stop without load: raise the threshold.`:t===null?`Now brake the motor with the highest load that it must still move.`:t.least===0?`This load counts as a stall: raise the threshold.`:t.mean>=e.mean?`The reading does not fall with the load: choose another speed or current.`:t.least>e.mean/3?`There is room: lower the threshold until the reading is just above 0 at this load.`:`The threshold fits: the reading stays above 0 at this load, and a stall is seen soon beyond it.`}var Q=20,$=44,ze=[0,256,512,768,J],Be=class extends d{static properties={live:{attribute:!1},axis:{type:String},active:{type:Boolean},thresholds:{attribute:!1}};#e=0;#t=``;static styles=[s,e`
+    `}};customElements.define(`pt-ratio-finder`,Ne);var J=1023,Y=32,X={maxCurrent:6,standbyCurrent:7,minimum:168,down:169,hysteresis:170,up:171,start:172,filter:173,threshold:174,actualCurrent:180,stopSpeed:181,coolStepSpeed:182,slowCurrent:183,load:206};function Pe(e,t){return e===0?null:[e*Y,(e+t+1)*Y]}var Fe=[32,8,2,1],Ie=[1,2,4,8];function Z(e){return(e>>3)+1}function Le(e,t){let n=Z(e);return[Math.max(n>>(t===0?1:2),1),n]}function Re(e){if(e.length===0)return null;let t=e.reduce((e,t)=>e+t,0)/e.length;return{count:e.length,least:Math.min(...e),most:Math.max(...e),mean:t}}function ze(e,t){return e===null?`Run the motor at its working speed without load.`:e.most>=1023?`The reading is at its end: lower the threshold until it is not.`:e.least===0?`The motor would stop without load: raise the threshold.`:t===null?`Now brake the motor with the highest load that it must still move.`:t.least===0?`This load counts as a stall: raise the threshold.`:t.mean>=e.mean?`The reading does not fall with the load: choose another speed or current.`:t.least>e.mean/3?`There is room: lower the threshold until the reading is just above 0 at this load.`:`The threshold fits: the reading stays above 0 at this load, and a stall is seen soon beyond it.`}var Q=20,$=44,Be=[0,256,512,768,J],Ve=class extends d{static properties={live:{attribute:!1},axis:{type:String},active:{type:Boolean},thresholds:{attribute:!1}};#e=0;#t=``;static styles=[s,e`
       canvas {
         display: block;
         width: 100%;
@@ -467,7 +470,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         border: 1px solid var(--line);
         border-radius: var(--radius);
       }
-    `];constructor(){super(),this.axis=``,this.active=!1,this.thresholds=null}connectedCallback(){super.connectedCallback(),this.#e=requestAnimationFrame(()=>this.#n())}disconnectedCallback(){super.disconnectedCallback(),cancelAnimationFrame(this.#e)}#n(){this.#e=requestAnimationFrame(()=>this.#n());let e=this.renderRoot.querySelector(`canvas`);if(!e||!this.active)return;let t=Math.round(e.clientWidth*devicePixelRatio),n=Math.round(e.clientHeight*devicePixelRatio),r=document.documentElement.dataset.theme??matchMedia(`(prefers-color-scheme: dark)`).matches,i=[this.live.samples.version,this.axis,t,n,this.thresholds,r].join();i!==this.#t&&t!==0&&(this.#t=i,e.width=t,e.height=n,this.#r(e,t/devicePixelRatio,n/devicePixelRatio))}#r(e,t,n){let r=e.getContext(`2d`);if(!r)return;let i=t=>(e.style.color=`var(${t})`,getComputedStyle(e).color),a=this.live.samples,o=e=>$+(e-a.last+Q)/Q*(t-$),s=e=>n-8-e/J*(n-16);r.scale(devicePixelRatio,devicePixelRatio),r.font=`12px sans-serif`,r.textAlign=`right`;for(let e of ze)r.fillStyle=i(`--muted`),r.fillText(String(e),38,s(e)+4),r.strokeStyle=i(`--line`),Ve(r,[$,s(e)],[t,s(e)]);if(this.thresholds){let[e,n]=this.thresholds;r.globalAlpha=.18,r.fillStyle=i(`--ok`),r.fillRect($,s(n),t-$,s(e)-s(n)),r.globalAlpha=1,r.strokeStyle=i(`--ok`);for(let i of[e,n])Ve(r,[$,s(i)],[t,s(i)])}if(!a.has(this.axis,`load`))return;let c=a.time(),l=a.values(this.axis,`load`);r.strokeStyle=i(`--curve-1`),r.lineWidth=1.8,r.beginPath();for(let e=0;e<c.length;e+=1){let t=o(c[e]??0);t>=$&&r.lineTo(t,s(l[e]??0))}r.stroke()}render(){return u`<canvas role="img" aria-label="Load value over the last ${Q} seconds"></canvas>`}};customElements.define(`pt-load-curve`,Be);function Ve(e,t,n){e.beginPath(),e.moveTo(...t),e.lineTo(...n),e.stroke()}var He=3,Ue=400,We=1e3,Ge=class extends j{static properties={...j.properties,speed:{state:!0},free:{state:!0},loaded:{state:!0},current:{state:!0}};watches=[`status`];#e=0;static styles=[s,A,e`
+    `];constructor(){super(),this.axis=``,this.active=!1,this.thresholds=null}connectedCallback(){super.connectedCallback(),this.#e=requestAnimationFrame(()=>this.#n())}disconnectedCallback(){super.disconnectedCallback(),cancelAnimationFrame(this.#e)}#n(){this.#e=requestAnimationFrame(()=>this.#n());let e=this.renderRoot.querySelector(`canvas`);if(!e||!this.active)return;let t=Math.round(e.clientWidth*devicePixelRatio),n=Math.round(e.clientHeight*devicePixelRatio),r=document.documentElement.dataset.theme??matchMedia(`(prefers-color-scheme: dark)`).matches,i=[this.live.samples.version,this.axis,t,n,this.thresholds,r].join();i!==this.#t&&t!==0&&(this.#t=i,e.width=t,e.height=n,this.#r(e,t/devicePixelRatio,n/devicePixelRatio))}#r(e,t,n){let r=e.getContext(`2d`);if(!r)return;let i=t=>(e.style.color=`var(${t})`,getComputedStyle(e).color),a=this.live.samples,o=e=>$+(e-a.last+Q)/Q*(t-$),s=e=>n-8-e/J*(n-16);r.scale(devicePixelRatio,devicePixelRatio),r.font=`12px sans-serif`,r.textAlign=`right`;for(let e of Be)r.fillStyle=i(`--muted`),r.fillText(String(e),38,s(e)+4),r.strokeStyle=i(`--line`),He(r,[$,s(e)],[t,s(e)]);if(this.thresholds){let[e,n]=this.thresholds;r.globalAlpha=.18,r.fillStyle=i(`--ok`),r.fillRect($,s(n),t-$,s(e)-s(n)),r.globalAlpha=1,r.strokeStyle=i(`--ok`);for(let i of[e,n])He(r,[$,s(i)],[t,s(i)])}if(!a.has(this.axis,`load`))return;let c=a.time(),l=a.values(this.axis,`load`);r.strokeStyle=i(`--curve-1`),r.lineWidth=1.8,r.beginPath();for(let e=0;e<c.length;e+=1){let t=o(c[e]??0);t>=$&&r.lineTo(t,s(l[e]??0))}r.stroke()}render(){return u`<canvas role="img" aria-label="Load value over the last ${Q} seconds"></canvas>`}};customElements.define(`pt-load-curve`,Ve);function He(e,t,n){e.beginPath(),e.moveTo(...t),e.lineTo(...n),e.stroke()}var Ue=3,We=400,Ge=1e3,Ke=class extends j{static properties={...j.properties,speed:{state:!0},free:{state:!0},loaded:{state:!0},current:{state:!0}};watches=[`status`];#e=0;static styles=[s,A,e`
       .sliders {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(270px, 1fr));
@@ -500,7 +503,7 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         width: 220px;
         height: 16px;
       }
-    `];constructor(){super(),this.speed=We,this.free=null,this.loaded=null,this.current=null}connectedCallback(){super.connectedCallback(),this.#e=window.setInterval(()=>void this.#t(),Ue)}disconnectedCallback(){super.disconnectedCallback(),clearInterval(this.#e)}async#t(){if(!this.active||!this.reachable)return;let e=await this.api.parameter(this.device.name,this.#n(`actualCurrent`)).catch(()=>null);this.current=typeof e==`number`?e:null}#n(e){return`AP${X[e]}.${this.axis}`}#r(e){return Number(this.values[this.#n(e)]??0)}needs(){return D(this.catalog,Object.keys(X).map(e=>this.#n(e)))}#i(){let{samples:e}=this.live;if(!e.has(this.axis,`load`))return null;let t=e.time();return Le([...e.values(this.axis,`load`).filter((n,r)=>(t[r]??0)>e.last-He)])}async#a(e){await l(()=>this.api.act(this.device.name,{do:`jog`,axis:this.axis,direction:e,speed:this.speed}))}render(){let e=this.live.status?.axes[this.axis],[t,n]=[this.#r(`start`),this.#r(`hysteresis`)],r=Ne(t,n),i=e!==void 0&&e.speed!==0;return u`
+    `];constructor(){super(),this.speed=Ge,this.free=null,this.loaded=null,this.current=null}connectedCallback(){super.connectedCallback(),this.#e=window.setInterval(()=>void this.#t(),We)}disconnectedCallback(){super.disconnectedCallback(),clearInterval(this.#e)}async#t(){if(!this.active||!this.reachable)return;let e=await this.api.parameter(this.device.name,this.#n(`actualCurrent`)).catch(()=>null);this.current=typeof e==`number`?e:null}#n(e){return`AP${X[e]}.${this.axis}`}#r(e){return Number(this.values[this.#n(e)]??0)}needs(){return D(this.catalog,Object.keys(X).map(e=>this.#n(e)))}#i(){let{samples:e}=this.live;if(!e.has(this.axis,`load`))return null;let t=e.time();return Re([...e.values(this.axis,`load`).filter((n,r)=>(t[r]??0)>e.last-Ue)])}async#a(e){await l(()=>this.api.act(this.device.name,{do:`jog`,axis:this.axis,direction:e,speed:this.speed}))}render(){let e=this.live.status?.axes[this.axis],[t,n]=[this.#r(`start`),this.#r(`hysteresis`)],r=Pe(t,n),i=e!==void 0&&e.speed!==0;return u`
       <section class="panel stack" aria-label="Load">
         <div class="row">
           <h2 class="grow">Load value</h2>
@@ -545,13 +548,13 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           </li>
           <li>Move the threshold, and take both again: the reading shall be just above 0 at this load.</li>
         </ol>
-        <p role="status"><strong>${Re(this.free,this.loaded)}</strong></p>
+        <p role="status"><strong>${ze(this.free,this.loaded)}</strong></p>
         <div class="sliders">
           ${this.#c(`threshold`)} ${this.#c(`filter`)}
           ${this.#c(`stopSpeed`,e=>e===0?`never stops`:`stops above ${e}`)}
         </div>
       </section>
-    `}#s(e){let[t,n]=Ie(this.#r(`maxCurrent`),this.#r(`minimum`)),r=this.current===null?null:this.current+1;return u`
+    `}#s(e){let[t,n]=Le(this.#r(`maxCurrent`),this.#r(`minimum`)),r=this.current===null?null:this.current+1;return u`
       <section class="panel stack" aria-label="CoolStep">
         <h2>CoolStep</h2>
         <p class="text">
@@ -567,8 +570,8 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
           ${this.#c(`start`,e=>e===0?`off`:`below ${32*e}`)}
           ${this.#c(`hysteresis`,()=>e?`above ${e[1]}`:``)}
           ${this.#c(`minimum`,e=>e===0?`a half`:`a quarter`)}
-          ${this.#c(`down`,e=>`${Pe[e]??`?`} readings a step`)}
-          ${this.#c(`up`,e=>`${Fe[e]??`?`} steps a reading`)}
+          ${this.#c(`down`,e=>`${Fe[e]??`?`} readings a step`)}
+          ${this.#c(`up`,e=>`${Ie[e]??`?`} steps a reading`)}
           ${this.#c(`coolStepSpeed`,e=>`above ${e}`)}
           ${this.#c(`slowCurrent`,e=>`${Z(e)}/32 below that speed`)}
           ${this.#c(`maxCurrent`,e=>`${Z(e)}/32`)}
@@ -589,15 +592,15 @@ import{C as e,S as t,a as n,b as r,d as i,i as a,o,p as s,r as c,u as l,x as u,y
         />
         <span class="what">${t(a)}</span>
       </label>
-    `}};customElements.define(`pt-tuning`,Ge);var Ke=[{id:`units`,title:`Units`},{id:`preview`,title:`Motion profile`},{id:`homing`,title:`Homing`},{id:`ratio`,title:`StepNLoop ratio`,fits:e=>qe(e,/^SLR/)},{id:`tuning`,title:`StallGuard & CoolStep`,fits:e=>qe(e,/^AP174\./)}],qe=(e,t)=>e.parameters.some(e=>t.test(e.id)),Je=class extends m{static properties={...m.properties,chosen:{state:!0}};static styles=[s,e`
+    `}};customElements.define(`pt-tuning`,Ke);var qe=[{id:`units`,title:`Units`},{id:`preview`,title:`Motion profile`},{id:`homing`,title:`Homing`},{id:`ratio`,title:`StepNLoop ratio`,fits:e=>Je(e,/^SLR/)},{id:`tuning`,title:`StallGuard & CoolStep`,fits:e=>Je(e,/^AP174\./)}],Je=(e,t)=>e.parameters.some(e=>t.test(e.id)),Ye=class extends m{static properties={...m.properties,chosen:{state:!0}};static styles=[s,e`
       .choice {
         margin-bottom: var(--gap);
       }
     `];constructor(){super(),this.chosen=`units`}render(){return u`
       <div class="row choice" role="group" aria-label="Tools">
-        ${Ke.filter(({fits:e})=>e?.(this.catalog)??!0).map(({id:e,title:t})=>u`
+        ${qe.filter(({fits:e})=>e?.(this.catalog)??!0).map(({id:e,title:t})=>u`
             <button aria-pressed=${e===this.chosen} @click=${()=>this.chosen=e}>${t}</button>
           `)}
       </div>
       ${this.#e()}
-    `}#e(){let{device:e,catalog:t,live:n,api:i,control:a,active:o}=this;switch(this.chosen){case`units`:return u`<pt-calculator .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-calculator>`;case`preview`:return u`<pt-preview .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-preview>`;case`homing`:return u`<pt-homing-wizard .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-homing-wizard>`;case`ratio`:return u`<pt-ratio-finder .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-ratio-finder>`;case`tuning`:return u`<pt-tuning .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-tuning>`;default:return r}}};customElements.define(`pt-tools`,Je);
+    `}#e(){let{device:e,catalog:t,live:n,api:i,control:a,active:o}=this;switch(this.chosen){case`units`:return u`<pt-calculator .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-calculator>`;case`preview`:return u`<pt-preview .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-preview>`;case`homing`:return u`<pt-homing-wizard .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-homing-wizard>`;case`ratio`:return u`<pt-ratio-finder .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-ratio-finder>`;case`tuning`:return u`<pt-tuning .device=${e} .catalog=${t} .live=${n} .api=${i} .control=${a} .active=${o}></pt-tuning>`;default:return r}}};customElements.define(`pt-tools`,Ye);

@@ -1,4 +1,4 @@
-import{C as e,b as t,d as n,f as r,l as i,m as a,p as o,u as s,x as c}from"./index-D2xj8AhC.js";import{i as l,n as u,r as d,t as f}from"./value-BA77vwhC.js";import{n as p,t as m}from"./files-DqKkerva.js";import{t as h}from"./tab-DqdSvliO.js";var g=`pulsetrain parameters`,_=1,v=1<<20,y=/^(AP(0|1|2|138|209|216)\.\d+|GP132)$/;function b({id:e,readable:t,writable:n,is_text:r,default:i}){return t&&n&&(i!==null||r)&&!y.test(e)}function x(e,t,n,r){let i={};for(let t of e.parameters){let e=n[t.id];b(t)&&e!==void 0&&(i[t.id]=e)}let a={format:g,version:_,model:e.model,device:t,date:r.toISOString(),parameters:i};return`${JSON.stringify(a,null,2)}\n`}function S(e,t){let n;try{n=JSON.parse(t)}catch(e){return`The file is not JSON: ${e.message}.`}if(!w(n)||n.format!==g)return`The file has no parameters of a controller.`;if(n.version!==_)return`The file is of a newer version of this page.`;if(n.model!==e.model)return`The file is of a ${String(n.model)}, not of a ${e.model}.`;let r=n.parameters;if(!w(r))return`The file has no parameters.`;let i=new Map(e.parameters.map(e=>[e.id,e])),a=new Map,o=[];for(let[e,t]of Object.entries(r)){let n=i.get(e),r=n===void 0?`There is no such parameter.`:b(n)?C(n,t):`Not a setting.`;n!==void 0&&r===null?a.set(n,t):o.push(`${e}: ${r}`)}return{device:String(n.device??``),date:String(n.date??``),values:a,problems:o}}function C(e,t){return typeof t==`number`||typeof t==`string`?f(e,t):`Neither a number nor text.`}function w(e){return typeof e==`object`&&!!e&&!Array.isArray(e)}function T(e,t,n){let r=[];for(let i of e.parameters){let e=t.get(i);e!==void 0&&e!==n[i.id]&&r.push({info:i,from:n[i.id],to:e})}return r}var E=class extends h{static properties={...h.properties,values:{state:!0},words:{state:!0},group:{state:!0},only:{state:!0},busy:{state:!0},comparison:{state:!0}};#e=new Map;#t=new Map;#n=new Set;#r=!1;static styles=[o,e`
+import{C as e,b as t,d as n,f as r,l as i,m as a,p as o,u as s,x as c}from"./index-Ddc2lmy1.js";import{i as l,n as u,r as d,t as f}from"./value-BA77vwhC.js";import{n as p,t as m}from"./files-DqKkerva.js";import{t as h}from"./tab-BdQOknV9.js";var g=`pulsetrain parameters`,_=1,v=1<<20,y=/^(AP(0|1|2|138|209|216)\.\d+|GP132)$/;function b({id:e,readable:t,writable:n,is_text:r,default:i}){return t&&n&&(i!==null||r)&&!y.test(e)}function x(e,t,n,r){let i={};for(let t of e.parameters){let e=n[t.id];b(t)&&e!==void 0&&(i[t.id]=e)}let a={format:g,version:_,model:e.model,device:t,date:r.toISOString(),parameters:i};return`${JSON.stringify(a,null,2)}\n`}function S(e,t){let n;try{n=JSON.parse(t)}catch(e){return`The file is not JSON: ${e.message}.`}if(!w(n)||n.format!==g)return`The file has no parameters of a controller.`;if(n.version!==_)return`The file is of a newer version of this page.`;if(n.model!==e.model)return`The file is of a ${String(n.model)}, not of a ${e.model}.`;let r=n.parameters;if(!w(r))return`The file has no parameters.`;let i=new Map(e.parameters.map(e=>[e.id,e])),a=new Map,o=[];for(let[e,t]of Object.entries(r)){let n=i.get(e),r=n===void 0?`There is no such parameter.`:b(n)?C(n,t):`Not a setting.`;n!==void 0&&r===null?a.set(n,t):o.push(`${e}: ${r}`)}return{device:String(n.device??``),date:String(n.date??``),values:a,problems:o}}function C(e,t){return typeof t==`number`||typeof t==`string`?f(e,t):`Neither a number nor text.`}function w(e){return typeof e==`object`&&!!e&&!Array.isArray(e)}function T(e,t,n){let r=[];for(let i of e.parameters){let e=t.get(i);e!==void 0&&e!==n[i.id]&&r.push({info:i,from:n[i.id],to:e})}return r}var E=class extends h{static properties={...h.properties,values:{state:!0},words:{state:!0},group:{state:!0},only:{state:!0},busy:{state:!0},comparison:{state:!0}};#e=new Map;#t=new Map;#n=new Set;#r=!1;static styles=[o,e`
       .row > select {
         width: auto;
         max-width: 100%;
@@ -147,7 +147,7 @@ import{C as e,b as t,d as n,f as r,l as i,m as a,p as o,u as s,x as c}from"./ind
     `}#b(e,t){return c`
       <section class="panel" aria-label=${e}>
         <h2>${e}</h2>
-        <table>
+        <table aria-label="Parameters, ${e}">
           <thead>
             <tr>
               <th>Number</th>
@@ -207,7 +207,7 @@ import{C as e,b as t,d as n,f as r,l as i,m as a,p as o,u as s,x as c}from"./ind
             </button>`}
       </pt-dialog>
     `}#w(e){return c`
-      <table>
+      <table aria-label="Changes">
         <thead>
           <tr>
             <th>Number</th>

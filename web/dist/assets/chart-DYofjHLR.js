@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-D2xj8AhC.js";import"./curves-ig2qnf7-.js";import{t as r}from"./tab-DqdSvliO.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
