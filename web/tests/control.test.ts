@@ -157,7 +157,7 @@ test("speed and target change on the fly", async () => {
     const fly = page.locator("pt-on-the-fly");
     // The window of speeds is chosen while the motor stands.
     await fly.locator("select[name=window]").selectOption("1");
-    await fly.getByRole("button", { name: "Set SSPDM" }).click();
+    await fly.getByRole("button", { name: "Set SSPDMX" }).click();
     await page.getByRole("button", { name: "ABS" }).click();
     await move(page, { X: 100000 });
     await until("X at its speed", () => speed(page, "X"), (pps) => pps === 1000);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Page } from "playwright-core";
-import type { Status } from "../src/api/contract.ts";
+import type { Machine, Status } from "../src/api/contract.ts";
 import { Server, look, picture, until, withBrowser } from "./bench.ts";
 
 withBrowser();
@@ -38,6 +38,41 @@ test("a switch that is dragged to the carriage is pressed, and let go again", as
     await until("+LX on again", () => pin("+LX"), (on) => on === true);
     await page.keyboard.up("Space");
     await until("+LX off again", () => pin("+LX"), (on) => on === false);
+  });
+});
+
+test("a limit switch is mounted elsewhere, by pointer and by keys, and the axis runs into it", async () => {
+  await look(server, "#/pmx-2ed/io", async (page) => {
+    const machine = page.getByRole("region", { name: "Machine" });
+    const mounted = async () => (await server.ask<Machine>("GET", "/devices/pmx-2ed/machine")).axes["Y"]!;
+    const limit = machine.getByRole("button", { name: /^positive limit switch of Y/ });
+    const home = machine.getByRole("button", { name: /^home switch of Y/ });
+    await machine.getByRole("button", { name: "Move switches" }).click();
+    await limit.scrollIntoViewIfNeeded();
+    const [from, near] = [await limit.boundingBox(), await machine.locator("[data-shaft=Y]").boundingBox()];
+    assert.ok(from && near);
+    await page.mouse.move(from.x + from.width / 2, from.y + from.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(near.x + near.width / 2 + 20, from.y + from.height / 2, { steps: 6 });
+    await page.mouse.up();
+    const dragged = await until("the limit is nearer", mounted, ({ positive_limit }) => positive_limit! < 100_000);
+    assert.ok(dragged.positive_limit! > 0);
+    await limit.focus();
+    await page.keyboard.press("ArrowLeft");
+    const end = (await until("nearer still", mounted, ({ positive_limit }) => positive_limit! < dragged.positive_limit!)).positive_limit!;
+    // The home switch goes along the rail as wide as it is.
+    await home.focus();
+    await page.keyboard.press("ArrowLeft");
+    const { home: zone } = await until("the home switch", mounted, (axis) => axis.home![0] < dragged.home![0]);
+    assert.equal(zone![1] - zone![0], dragged.home![1] - dragged.home![0]);
+
+    for (const line of ["EO=3", "HSPDY=200000", "LSPDY=1000", "ACCY=50"]) await server.say("pmx-2ed", line);
+    await server.ask("POST", "/devices/pmx-2ed/act", { do: "move", targets: { Y: 900_000 }, relative: false });
+    const stopped = await until("Y is stopped", () => axisOf("pmx-2ed", "Y"), ({ error, speed }) => error !== null && speed === 0);
+    assert.match(stopped.error!, /limit/);
+    assert.equal(stopped.position, end);
+    await machine.getByRole("button", { name: "positive limit switch of Y, on" }).waitFor();
+    await server.say("pmx-2ed", "CLRY");
   });
 });
 

@@ -71,6 +71,15 @@ test("traffic is saved as it was filtered", async () => {
     const traffic = page.getByRole("region", { name: "Traffic", exact: true });
     await traffic.getByLabel("Filter").fill("V9=");
     await traffic.getByRole("cell", { name: /V9=4711/ }).waitFor();
+    // What the page asks to see how things are is left out, unless one wants to see it.
+    await traffic.getByLabel("Filter").fill("");
+    const polls = traffic.getByRole("cell", { name: /MST$/ });
+    await traffic.getByRole("cell", { name: /V9=4711/ }).waitFor();
+    assert.equal(await polls.count(), 0);
+    await traffic.getByLabel("polling").check();
+    await polls.first().waitFor();
+    await traffic.getByLabel("polling").uncheck();
+    await traffic.getByLabel("Filter").fill("V9=");
     const saved = page.waitForEvent("download");
     await traffic.getByRole("button", { name: "Export" }).click();
     const file = await saved;

@@ -8,6 +8,7 @@ import type {
   Found,
   Lease,
   Machine,
+  MovedSwitches,
   Status,
   Summary,
   Value,
@@ -156,6 +157,9 @@ export class Api extends EventTarget {
 
   machine(name: string): Promise<Machine> {
     return this.get(this.path(name, "machine"));
+  }
+  moveSwitches(name: string, moved: MovedSwitches): Promise<void> {
+    return this.send("PATCH", this.path(name, "machine"), moved);
   }
   pin(name: string, pin: string): Promise<boolean | number> {
     return this.get(this.path(name, "pins", pin));

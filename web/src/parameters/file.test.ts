@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Catalog, ParameterInfo } from "../api/contract.ts";
-import { changes, isSetting, read, write } from "./file.ts";
+import { changes, read, write } from "./file.ts";
 
 const base = { group: "", axis: null, symbol: "", unit: "", text: "", section: "", default: 0, decimals: 0 };
 const info = (id: string, writable = true): ParameterInfo => {
@@ -57,14 +57,4 @@ test("only what differs is written", () => {
   const found = changes(CATALOG, file.values, { ...VALUES, ACC: 6 });
   assert.deepEqual(found.map(({ info, from, to }) => [info.id, from, to]), [["ACC", 6, 5]]);
   assert.equal(changes(CATALOG, file.values, {}).length, 3);
-});
-
-test("what moves the motor, or is only a state, is no setting", () => {
-  const check = (id: string, usual: number | null, expected: boolean) => {
-    assert.equal(isSetting({ ...info(id), default: usual }), expected, id);
-  };
-  for (const id of ["AP0.0", "AP1.0", "AP2.0", "AP138.0", "AP209.0", "AP216.0", "GP132"]) check(id, 0, false);
-  for (const id of ["AP4.0", "AP12.0", "AP210.0", "GP13.2", "GP66", "HSPDX"]) check(id, 0, true);
-  for (const id of ["PX", "EO", "DO1", "V5"]) check(id, null, false);
-  assert.ok(isSetting({ ...info("DN"), default: null }));
 });

@@ -9,20 +9,12 @@ const VERSION = 1;
 /** Files that are longer are not read. */
 export const MAX_BYTES = 1 << 20;
 
-/** Registers of the module that are states though they can be written: writing some of them moves the motor. */
-const STATES = /^(AP(0|1|2|138|209|216)\.\d+|GP132)$/;
-
-/** Whether a parameter is a setting: positions, outputs and timers have no default, or are known to be none. */
-export function isSetting({ id, readable, writable, is_text, default: usual }: ParameterInfo): boolean {
-  return readable && writable && (usual !== null || is_text) && !STATES.test(id);
-}
-
 /** The settings, which a file can give back. */
 export function write(catalog: Catalog, device: string, values: Record<string, Value>, date: Date): string {
   const parameters: Record<string, Value> = {};
   for (const info of catalog.parameters) {
     const value = values[info.id];
-    if (isSetting(info) && value !== undefined) parameters[info.id] = value;
+    if (info.is_setting && value !== undefined) parameters[info.id] = value;
   }
   const file = { format: FORMAT, version: VERSION, model: catalog.model, device, date: date.toISOString(), parameters };
   return `${JSON.stringify(file, null, 2)}\n`;
@@ -54,7 +46,7 @@ export function read(catalog: Catalog, text: string): ParameterFile | string {
   const problems: string[] = [];
   for (const [id, value] of Object.entries(parameters)) {
     const info = known.get(id);
-    const problem = info === undefined ? "There is no such parameter." : isSetting(info) ? wrong(info, value) : "Not a setting.";
+    const problem = info === undefined ? "There is no such parameter." : info.is_setting ? wrong(info, value) : "Not a setting.";
     if (info !== undefined && problem === null) values.set(info, value as Value);
     else problems.push(`${id}: ${problem}`);
   }

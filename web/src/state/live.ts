@@ -146,7 +146,7 @@ export class LiveStore extends EventTarget {
         this.samples.add(message.samples);
         break;
       case "traffic":
-        this.traffic = this.traffic.concat(message.traffic).slice(-MAX_TRAFFIC);
+        this.traffic = newest(this.traffic.concat(message.traffic));
         this.#trafficTimer ||= window.setTimeout(() => {
           this.#trafficTimer = 0;
           this.#tell("traffic");
@@ -165,4 +165,12 @@ export class LiveStore extends EventTarget {
   #tell(kind: LiveEvent): void {
     this.dispatchEvent(new Event(kind));
   }
+}
+
+/** The newest lines. Those that were only polled go first: there are many, and nobody asked for them. */
+function newest(traffic: Traffic[]): Traffic[] {
+  let surplus = traffic.length - MAX_TRAFFIC;
+  if (surplus <= 0) return traffic;
+  const kept = traffic.filter(({ polled }) => !polled || surplus-- <= 0);
+  return kept.slice(-MAX_TRAFFIC);
 }

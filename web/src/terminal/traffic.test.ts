@@ -8,12 +8,13 @@ const TRAFFIC = [
 ];
 
 function check(filter: Partial<Filter>, expected: number[]) {
-  const shown = filtered(TRAFFIC, { words: "", direction: "both", ...filter });
+  const shown = filtered(TRAFFIC, { words: "", direction: "both", polled: true, ...filter });
   assert.deepEqual(shown.map((line) => TRAFFIC.indexOf(line)), expected, JSON.stringify(filter));
 }
 
 test("words, bytes and directions", () => {
   check({}, [0, 1]);
+  check({ polled: false }, []);
   check({ words: "gap" }, [0]);
   check({ words: "02 64" }, [1]);
   check({ words: "-gap -" }, [1]);

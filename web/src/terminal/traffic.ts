@@ -7,12 +7,15 @@ export interface Filter {
   /** Words between spaces: each must be in the text or, as hex digits, in the bytes. `-word` must not. */
   words: string;
   direction: "both" | "out" | "in";
+  /** Whether what is asked over and over, to see what the controller does, is shown too. */
+  polled: boolean;
 }
 
 /** The traffic that a filter lets through. */
-export function filtered(traffic: readonly Traffic[], { words, direction }: Filter): Traffic[] {
+export function filtered(traffic: readonly Traffic[], { words, direction, polled }: Filter): Traffic[] {
   const tests = words.toLowerCase().split(/\s+/).filter((word) => word !== "" && word !== "-");
   return traffic.filter((line) => {
+    if (line.polled && !polled) return false;
     if (direction !== "both" && line.out !== (direction === "out")) return false;
     return tests.every((word) => (word.startsWith("-") ? !has(line, word.slice(1)) : has(line, word)));
   });

@@ -1,7 +1,7 @@
 // StepNLoop ratio finder: moves there and back and compares what the motor was told with what the encoder counted.
 
 import { css, html, nothing } from "lit";
-import type { ParameterInfo } from "../api/contract.ts";
+import type { ParameterInfo, Role } from "../api/contract.ts";
 import { count, decimal, parseWhole } from "../state/format.ts";
 import type { LiveEvent } from "../state/live.ts";
 import { base } from "../ui/styles.ts";
@@ -51,7 +51,8 @@ class RatioFinder extends Tool {
   }
 
   get #ids() {
-    return { loop: `SL${this.axis}`, ratio: `SLR${this.axis}` };
+    const id = (what: Role) => this.catalog.parameters.find(({ role, axis }) => role === what && axis === this.axis)?.id ?? "";
+    return { loop: id("closed_loop"), ratio: id("closed_loop_ratio") };
   }
 
   protected override needs(): ParameterInfo[] {

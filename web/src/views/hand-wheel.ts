@@ -7,12 +7,11 @@ import { base } from "../ui/styles.ts";
 import { attempt } from "../ui/toast.ts";
 import { Tab } from "./tab.ts";
 
-/** The parameter that switches an axis to its pulse generator; models without one have no input for it. */
-const ENABLE = /^MPE/;
 const STEPS = [-100, -10, -1, 1, 10, 100];
 
+/** Models that cannot switch an axis to a pulse generator have no input for one. */
 export function hasHandWheel(catalog: Catalog): boolean {
-  return catalog.parameters.some(({ id }) => ENABLE.test(id));
+  return catalog.parameters.some(({ role }) => role === "pulser_enable");
 }
 
 class HandWheel extends Tab {
@@ -47,13 +46,18 @@ class HandWheel extends Tab {
         <div class="row"><h2 class="grow">Hand wheel</h2>
           ${axisPicker(this.catalog.axes, this.axis, "wheel-axis", (axis) => (this.axis = axis))}
         </div>
-        <p class="muted">Counts of the manual pulse generator; the axis follows where MPE is 1.</p>
+        <p class="muted">Counts of the manual pulse generator; the axis follows where ${this.#enable} is 1.</p>
         <div class="steps">
           ${STEPS.map((counts) => html`<button ?disabled=${!this.usable} @click=${() => this.#turn(counts)}>
             ${counts > 0 ? `+${counts}` : `−${-counts}`}</button>`)}
         </div>
       </section>
     `;
+  }
+
+  get #enable(): string {
+    const info = this.catalog.parameters.find(({ role, axis }) => role === "pulser_enable" && axis === this.axis);
+    return info?.id ?? "";
   }
 
   #turn(counts: number): void {

@@ -1,6 +1,6 @@
 // Where things of a machine are on the screen.
 
-import type { MachineAxis } from "../api/contract.ts";
+import type { MachineAxis, MovedSwitches } from "../api/contract.ts";
 
 export type SwitchRole = "negative limit" | "home" | "positive limit";
 
@@ -67,6 +67,22 @@ export function mount({ home, negative_limit, positive_limit }: MachineAxis, rol
       return positive_limit;
     case "home":
       return home && (home[0] + home[1]) / 2;
+  }
+}
+
+/** How a switch is mounted whose middle comes to a pulse; the home switch stays as wide as it is. */
+export function mountAt(axis: MachineAxis, role: SwitchRole, at: number): Omit<MovedSwitches, "axis"> {
+  const pulse = Math.round(axis.circumference === null ? at : around(axis, at) * axis.circumference);
+  switch (role) {
+    case "negative limit":
+      return { negative_limit: pulse };
+    case "positive limit":
+      return { positive_limit: pulse };
+    case "home": {
+      const wide = axis.home![1] - axis.home![0];
+      const first = pulse - Math.floor(wide / 2);
+      return { home: [first, first + wide] };
+    }
   }
 }
 

@@ -7,8 +7,9 @@ import type { Machine, MachineAxis } from "../api/contract.ts";
 import { count } from "../state/format.ts";
 import { Press } from "../state/press.ts";
 import { base } from "../ui/styles.ts";
+import { attempt } from "../ui/toast.ts";
 import "./by-hand.ts";
-import { type Lane, type SwitchRole, arc, around, covers, lane, mount, touches } from "./machine-geometry.ts";
+import { type Lane, type SwitchRole, arc, around, covers, lane, mount, mountAt, touches } from "./machine-geometry.ts";
 import { machineStyles } from "./machine-styles.ts";
 import { Tab } from "./tab.ts";
 
@@ -30,7 +31,8 @@ interface Drag {
   role: SwitchRole;
   /** Where the pointer holds the switch, in pulses. */
   at: number;
-  press: Press;
+  /** `null` if the switch itself is moved. */
+  press: Press | null;
 }
 
 class MachineView extends Tab {
@@ -40,11 +42,14 @@ class MachineView extends Tab {
     width: { state: true },
     drag: { state: true },
     problem: { state: true },
+    mounting: { state: true },
   };
   declare machine: Machine | null;
   declare width: number;
   declare drag: Drag | null;
   declare problem: string | null;
+  /** Whether switches are mounted elsewhere when they are dragged, and not pressed. */
+  declare mounting: boolean;
   protected override readonly watches = ["status"] as const;
 
   #timer = 0;
@@ -62,6 +67,7 @@ class MachineView extends Tab {
     this.width = 600;
     this.drag = null;
     this.problem = null;
+    this.mounting = false;
   }
 
   override connectedCallback(): void {
@@ -99,7 +105,7 @@ class MachineView extends Tab {
   #follow(): void {
     const { drag } = this;
     const axis = drag && this.machine?.axes[drag.axis];
-    if (drag && axis) drag.press.set(covers(axis, drag.role, drag.at) !== touches(axis, drag.role));
+    if (drag?.press && axis) drag.press.set(covers(axis, drag.role, drag.at) !== touches(axis, drag.role));
   }
 
   /** Moves the carriages of the drawing after the shafts. */
@@ -131,7 +137,12 @@ class MachineView extends Tab {
     return html`
       <section class="panel stack" aria-label="Machine">
         <div class="row"><h2>Machine</h2>
-          <span class="muted">Drag a switch to the carriage to press it, or hold the space bar on it.</span></div>
+          <span class="muted grow">${this.mounting
+            ? "Drag a switch to where it is to be, or move it with the arrow keys; with Shift in small steps."
+            : "Drag a switch to the carriage to press it, or hold the space bar on it."}</span>
+          <button class="small" aria-pressed=${this.mounting} ?disabled=${!this.usable}
+            @click=${() => (this.mounting = !this.mounting)}>Move switches</button>
+        </div>
         <div>
           ${this.#inOrder().map(([name, axis]) => html`
             <div class="axis">
@@ -216,7 +227,7 @@ class MachineView extends Tab {
     const x = scale.x(this.#dragged(name, role) ?? own);
     return this.#body(name, role, `translate(${x} ${RAIL + 24})`, (event) => scale.pulse(this.#pointerX(event)), svg`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${LABELS[role]}</text>`, svg`<text y="24">${count(own)}</text>`);
+      <text y="4">${LABELS[role]}</text>`, svg`<text y="24">${count(this.mounting ? Math.round(this.#dragged(name, role) ?? own) : own)}</text>`);
   }
 
   #roundSwitch(name: string, axis: MachineAxis, role: SwitchRole) {
@@ -235,6 +246,10 @@ class MachineView extends Tab {
   #body(name: string, role: SwitchRole, place: string, toPulse: (event: PointerEvent) => number, body: unknown, label: unknown) {
     const on = this.#isOn(name, role);
     const hold = (event: KeyboardEvent) => {
+      if (this.mounting) {
+        if (event.type === "keydown") this.#nudge(event, name, role);
+        return;
+      }
       if (event.key !== " " && event.key !== "Enter") return;
       event.preventDefault();
       if (event.repeat) return;
@@ -276,7 +291,7 @@ class MachineView extends Tab {
     const pin = this.#pin(axis, role);
     if (event.button !== 0 || !pin || !this.usable) return;
     (event.currentTarget as Element).setPointerCapture(event.pointerId);
-    this.drag = { axis, role, at, press: new Press(this.api, this.device.name, pin) };
+    this.drag = { axis, role, at, press: this.mounting ? null : new Press(this.api, this.device.name, pin) };
     this.#follow();
   }
 
@@ -295,8 +310,29 @@ class MachineView extends Tab {
   }
 
   #drop(): void {
-    this.drag?.press.set(false);
+    const { drag } = this;
     this.drag = null;
+    if (drag?.press) drag.press.set(false);
+    else if (drag) void this.#mount(drag.axis, drag.role, drag.at);
+  }
+
+  /** An arrow key moves a switch by a hundredth of the rail or of a turn, with Shift by a hundredth of that. */
+  #nudge(event: KeyboardEvent, name: string, role: SwitchRole): void {
+    const axis = this.machine?.axes[name];
+    const own = axis && mount(axis, role);
+    const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (!axis || own === null || own === undefined || way === undefined || !this.usable) return;
+    event.preventDefault();
+    const { low, high } = lane(axis, this.width);
+    const step = (axis.circumference ?? high - low) / (event.shiftKey ? 10_000 : 100);
+    void this.#mount(name, role, own + way * Math.max(1, Math.round(step)));
+  }
+
+  async #mount(name: string, role: SwitchRole, at: number): Promise<void> {
+    const axis = this.machine?.axes[name];
+    if (!axis) return;
+    await attempt(() => this.api.moveSwitches(this.device.name, { axis: name, ...mountAt(axis, role, at) }));
+    this.machine = await this.api.machine(this.device.name).catch(() => this.machine);
   }
 }
 customElements.define("pt-machine", MachineView);

@@ -40,22 +40,22 @@ class OnTheFly extends Tab {
 
   override render() {
     const { actions, axes, parameters, speed_windows, units } = this.catalog;
-    const windows = parameters.some(({ id }) => id === this.#window) ? speed_windows : [];
+    const window = parameters.find(({ role, axis }) => role === "speed_window" && axis === this.axis)?.id;
     return html`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
           ${axisPicker(axes, this.axis, "fly-axis", (axis) => (this.axis = axis))}
         </div>
-        ${windows.length > 0
-          ? html`<form class="fields" @submit=${this.#setWindow}>
-              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (SSPDM)
+        ${window !== undefined
+          ? html`<form class="fields" @submit=${(event: SubmitEvent) => this.#setWindow(event, window)}>
+              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (pps)
                 <select name="window">
                   <option value="0">0 · no changes</option>
-                  ${windows.map(({ number, from_pps, to_pps }) => html`
+                  ${speed_windows.map(({ number, from_pps, to_pps }) => html`
                     <option value=${number}>${number} · ${count(from_pps)} to ${count(to_pps)}</option>`)}
                 </select>
               </label>
-              <button ?disabled=${!this.usable}>Set SSPDM</button>
+              <button ?disabled=${!this.usable}>Set ${window}</button>
             </form>`
           : nothing}
         ${actions.includes("change_speed")
@@ -75,15 +75,10 @@ class OnTheFly extends Tab {
     `;
   }
 
-  /** The parameter that says in which window speeds may change. */
-  get #window(): string {
-    return `SSPDM${this.axis}`;
-  }
-
-  #setWindow(event: SubmitEvent): void {
+  #setWindow(event: SubmitEvent, id: string): void {
     event.preventDefault();
     const number = Number(new FormData(event.target as HTMLFormElement).get("window"));
-    void attempt(() => this.api.setParameter(this.device.name, this.#window, number), `${this.#window} is ${number}`);
+    void attempt(() => this.api.setParameter(this.device.name, id, number), `${id} is ${number}`);
   }
 
   #speed(event: SubmitEvent): void {

@@ -236,8 +236,8 @@ class Overview extends LitElement {
           <tr><th>Axis</th><th class="number">Position</th><th class="number">Speed</th><th>State</th></tr>
         </thead>
         <tbody>
-          ${inOrder(status.axes).map(
-            ([name, axis]: [string, AxisStatus]) => html`
+          ${device.axes.flatMap((name) => (status.axes[name] ? [[name, status.axes[name]] as const] : [])).map(
+            ([name, axis]: readonly [string, AxisStatus]) => html`
               <tr>
                 <td><strong>${name}</strong></td>
                 <td class="number">${count(axis.position)}</td>
@@ -264,9 +264,3 @@ class Overview extends LitElement {
   }
 }
 customElements.define("pt-overview", Overview);
-
-/** X, Y, Z, U: the order of the controllers, not of the alphabet. */
-function inOrder(axes: Status["axes"]): [string, AxisStatus][] {
-  const place = (name: string) => "0XYZU".indexOf(name);
-  return Object.entries(axes).sort(([one], [other]) => place(one) - place(other));
-}

@@ -4,7 +4,7 @@ import { css, html, nothing, type PropertyValues } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { reason } from "../api/client.ts";
 import type { ParameterInfo, Value } from "../api/contract.ts";
-import { type Change, changes, isSetting, MAX_BYTES, type ParameterFile, read, write } from "../parameters/file.ts";
+import { type Change, changes, MAX_BYTES, type ParameterFile, read, write } from "../parameters/file.ts";
 import { parse, range, shown } from "../parameters/value.ts";
 import { open, save } from "../tools/files.ts";
 import { confirm } from "../ui/dialog.ts";
@@ -304,7 +304,7 @@ class Parameters extends Tab {
 
   #differs(info: ParameterInfo): boolean {
     const value = this.values[info.id];
-    return isSetting(info) && info.default !== null && value !== undefined && value !== info.default;
+    return info.is_setting && info.default !== null && value !== undefined && value !== info.default;
   }
 
   #visible(): ParameterInfo[] {

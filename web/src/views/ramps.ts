@@ -2,22 +2,17 @@
 
 import { css, html, nothing } from "lit";
 import { type ApiError, reason } from "../api/client.ts";
-import type { ParameterInfo, Value } from "../api/contract.ts";
+import type { ParameterInfo, Role, Value } from "../api/contract.ts";
 import { decimal, parseNumber } from "../state/format.ts";
 import { base } from "../ui/styles.ts";
 import { attempt, say } from "../ui/toast.ts";
 import { Tab } from "./tab.ts";
 
-/** The symbols of speeds and ramps, without their axis: of A-SCRIPT, and the axis parameters of TMCL. */
-const RAMPS = /^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;
+const RAMPS: (Role | null)[] = ["high_speed", "low_speed", "acceleration", "deceleration"];
 
 /** The parameters of the panel. */
 export function ramps(parameters: ParameterInfo[]): ParameterInfo[] {
-  return parameters.filter(({ id, axis, readable, writable }) => {
-    const family = id.replace(/\..*$/, "");
-    const plain = axis !== null && family.endsWith(axis) && !/\d$/.test(family) ? family.slice(0, -axis.length) : family;
-    return readable && writable && RAMPS.test(plain);
-  });
+  return parameters.filter(({ role, readable, writable }) => readable && writable && RAMPS.includes(role));
 }
 
 class Ramps extends Tab {

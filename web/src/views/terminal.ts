@@ -153,7 +153,7 @@ class Terminal extends Tab {
     this.typed = "";
     this.exchanges = [];
     this.hex = false;
-    this.filter = { words: "", direction: "both" };
+    this.filter = { words: "", direction: "both", polled: false };
     this.paused = null;
   }
 
@@ -339,6 +339,9 @@ class Terminal extends Tab {
             <option value="out">requests</option>
             <option value="in">replies</option>
           </select>
+          <label class="line" title="What the page asks to see what the controller is doing">
+            <input type="checkbox" .checked=${this.filter.polled}
+              @change=${(event: Event) => this.#set({ polled: (event.target as HTMLInputElement).checked })} />polling</label>
           <span class="muted">${shown.length} lines</span>
         </div>
         <div class="table" tabindex="0" role="region" aria-label="Lines of traffic" @scroll=${this.#scrolled}>

@@ -21,11 +21,10 @@ const TOOLS: Row[] = [
   { id: "units", title: "Units" },
   { id: "preview", title: "Motion profile" },
   { id: "homing", title: "Homing" },
-  { id: "ratio", title: "StepNLoop ratio", fits: (catalog) => has(catalog, /^SLR/) },
-  { id: "tuning", title: "StallGuard & CoolStep", fits: (catalog) => has(catalog, /^AP174\./) },
+  { id: "ratio", title: "StepNLoop ratio", fits: (catalog) => catalog.parameters.some(({ role }) => role === "closed_loop_ratio") },
+  { id: "tuning", title: "StallGuard & CoolStep", fits: (catalog) => catalog.parameters.some(({ id }) => id.startsWith("AP174.")) },
 ];
 
-const has = (catalog: Catalog, id: RegExp) => catalog.parameters.some((info) => id.test(info.id));
 
 class Tools extends Tab {
   static override properties = { ...Tab.properties, chosen: { state: true } };

@@ -1,4 +1,4 @@
-import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-Ddc2lmy1.js";import{n as p,r as m,t as h}from"./hold-Dd7CDey_.js";import{t as g}from"./tab-BdQOknV9.js";import"./curves-C4sDXd2Y.js";import{t as _}from"./axis-picker-CUHepnDu.js";var v=class extends g{static properties={...g.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
+import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u as d,x as f}from"./index-B5g3GHyC.js";import{n as p,r as m,t as h}from"./hold-CpDyNk5i.js";import{t as g}from"./tab-BkMu52L1.js";import"./curves-Bn3Q-yc1.js";import{t as _}from"./axis-picker-xQ5SLATQ.js";var v=class extends g{static properties={...g.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[c,p,e`
       .panel {
         display: flex;
         flex-direction: column;
@@ -245,32 +245,32 @@ import{C as e,a as t,b as n,d as r,i,m as a,n as o,o as s,p as c,r as l,t as u,u
         align-self: flex-end;
         min-width: 96px;
       }
-    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,parameters:r,speed_windows:i,units:a}=this.catalog,o=r.some(({id:e})=>e===this.#e)?i:[];return f`
+    `];willUpdate(e){super.willUpdate(e),e.has(`catalog`)&&(this.axis=this.catalog.axes[0]??``)}render(){let{actions:e,axes:t,parameters:r,speed_windows:i,units:a}=this.catalog,o=r.find(({role:e,axis:t})=>e===`speed_window`&&t===this.axis)?.id;return f`
       <div class="panel stack">
         <div class="row"><h2 class="grow">On the fly</h2>
           ${_(t,this.axis,`fly-axis`,e=>this.axis=e)}
         </div>
-        ${o.length>0?f`<form class="fields" @submit=${this.#t}>
-              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (SSPDM)
+        ${o===void 0?n:f`<form class="fields" @submit=${e=>this.#e(e,o)}>
+              <label title="Both speeds have to lie in it; it can be set while the motor stands">Speed window (pps)
                 <select name="window">
                   <option value="0">0 · no changes</option>
-                  ${o.map(({number:e,from_pps:t,to_pps:n})=>f`
+                  ${i.map(({number:e,from_pps:t,to_pps:n})=>f`
                     <option value=${e}>${e} · ${l(t)} to ${l(n)}</option>`)}
                 </select>
               </label>
-              <button ?disabled=${!this.usable}>Set SSPDM</button>
-            </form>`:n}
-        ${e.includes(`change_speed`)?f`<form class="fields" @submit=${this.#n}>
+              <button ?disabled=${!this.usable}>Set ${o}</button>
+            </form>`}
+        ${e.includes(`change_speed`)?f`<form class="fields" @submit=${this.#t}>
               <label title=${a.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <label title="empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
               <button ?disabled=${!this.usable}>Set speed</button>
             </form>`:n}
-        ${e.includes(`change_target`)?f`<form class="fields" @submit=${this.#r}>
+        ${e.includes(`change_target`)?f`<form class="fields" @submit=${this.#n}>
               <label title=${a.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <button ?disabled=${!this.usable}>Set target</button>
             </form>`:n}
       </div>
-    `}get#e(){return`SSPDM${this.axis}`}#t(e){e.preventDefault();let t=Number(new FormData(e.target).get(`window`));d(()=>this.api.setParameter(this.device.name,this.#e,t),`${this.#e} is ${t}`)}#n(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#r(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,x);var S=/^(HSPD|LSPD|ACC|DEC|AP4|AP5)$/;function C(e){return e.filter(({id:e,axis:t,readable:n,writable:r})=>{let i=e.replace(/\..*$/,``),a=t!==null&&i.endsWith(t)&&!/\d$/.test(i)?i.slice(0,-t.length):i;return n&&r&&S.test(a)})}var w=class extends g{static properties={...g.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
+    `}#e(e,t){e.preventDefault();let n=Number(new FormData(e.target).get(`window`));d(()=>this.api.setParameter(this.device.name,t,n),`${t} is ${n}`)}#t(e){e.preventDefault();let t=new FormData(e.target),n={};for(let e of[`speed`,`acceleration`]){let i=String(t.get(e)??``).trim();if(i===``&&e!==`speed`)continue;let a=s(i);if(a===null){r(`“${i}” is not a whole number.`,`error`);return}n[e]=a}let{axis:i}=this;d(()=>this.api.act(this.device.name,{do:`change_speed`,axis:i,speed:n.speed,...n}))}#n(e){e.preventDefault();let t=s(String(new FormData(e.target).get(`target`)));t===null?r(`A target is a whole number.`,`error`):d(()=>this.api.act(this.device.name,{do:`change_target`,axis:this.axis,target:t}))}};customElements.define(`pt-on-the-fly`,x);var S=[`high_speed`,`low_speed`,`acceleration`,`deceleration`];function C(e){return e.filter(({role:e,readable:t,writable:n})=>t&&n&&S.includes(e))}var w=class extends g{static properties={...g.properties,values:{state:!0},axis:{state:!0}};#e=!1;static styles=[c,e`
       .panel {
         height: 100%;
       }

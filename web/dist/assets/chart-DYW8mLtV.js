@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-Ddc2lmy1.js";import"./curves-C4sDXd2Y.js";import{t as r}from"./tab-BdQOknV9.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
