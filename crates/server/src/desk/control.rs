@@ -1,8 +1,12 @@
 //! What a controller is told to do.
 
 use super::hold;
-use crate::http::{Answer, Body, Place, Shared, at, json};
-use axum::{Json, extract::State, http::StatusCode};
+use crate::http::{Answer, Body, Place, Shared, at, json, lease};
+use axum::{
+    Json,
+    extract::State,
+    http::{HeaderMap, StatusCode},
+};
 use host::{Action, Status};
 use serde::Deserialize;
 use ts_rs::TS;
@@ -25,14 +29,23 @@ pub(crate) async fn status(State(site): Shared, place: Place<String>) -> Answer<
 
 /// Have a controller do something
 ///
-/// A jog with `held` stops unless the WebSocket `live` says again and again that it goes on.
+/// To stop or abort nobody needs control. A jog with `held` stops unless the WebSocket `live` says again and again that it goes on.
 #[utoipa::path(
     post, path = "/api/devices/{device}/act", tag = "control",
     request_body = Action, responses((status = 204))
 )]
-pub(crate) async fn act(State(site): Shared, place: Place<String>, body: Body) -> Answer<StatusCode> {
+pub(crate) async fn act(
+    State(site): Shared,
+    place: Place<String>,
+    headers: HeaderMap,
+    body: Body,
+) -> Answer<StatusCode> {
+    let action: Answer<Action> = json(body);
+    if !matches!(action, Ok(Action::Stop { .. } | Action::Abort { .. })) {
+        site.control.admit(lease(&headers))?;
+    }
     let seat = site.desk.find(&at(place)?)?;
-    let action: Action = json(body)?;
+    let action = action?;
     let begun = hold::begin(&seat, &action);
     let done = seat.ask(async |it| it.act(&action).await).await;
     match (&done, begun) {

@@ -17,7 +17,8 @@ const BENCH: &str = "bench";
 #[derive(Deserialize, TS, ToSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub(crate) enum NewDevices {
-    /// The virtual controllers of a bench file.
+    /// The virtual controllers of a bench file. They listen on TCP at this machine, or nowhere: no files of the server
+    /// are named, and none are made.
     Bench(String),
     /// A real controller.
     Real(RealDevice),
@@ -62,7 +63,7 @@ pub(crate) async fn list(State(site): Shared) -> Json<Vec<Summary>> {
 pub(crate) async fn add(State(site): Shared, body: Body) -> Answer<(StatusCode, Json<Vec<Summary>>)> {
     let added = match json(body)? {
         NewDevices::Bench(text) => {
-            let bench = Bench::parse(&text, BENCH).map_err(|why| unprocessable(why.to_string()))?;
+            let bench = Bench::parse_local(&text, BENCH).map_err(|why| unprocessable(why.to_string()))?;
             site.desk.add_devices(&bench.devices)?
         }
         NewDevices::Real(RealDevice { name, model, link, address }) => {

@@ -51,6 +51,11 @@ pub(crate) fn free() -> OpenApiRouter<Arc<Site>> {
         .merge(long(OpenApiRouter::new().routes(routes!(program::compile))))
 }
 
+/// The calls that say themselves whether they need control.
+pub(crate) fn judging() -> OpenApiRouter<Arc<Site>> {
+    OpenApiRouter::new().routes(routes!(control::act))
+}
+
 /// The calls that change something.
 pub(crate) fn led() -> OpenApiRouter<Arc<Site>> {
     let texts = OpenApiRouter::new()
@@ -58,7 +63,6 @@ pub(crate) fn led() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(program::upload, program::download));
     OpenApiRouter::new()
         .routes(routes!(devices::show, devices::remove))
-        .routes(routes!(control::act))
         .routes(routes!(control::terminal))
         .routes(routes!(parameters::read_all))
         .routes(routes!(parameters::read, parameters::write))

@@ -55,7 +55,10 @@ struct Document(Bytes);
 /// All routes of the interface.
 pub(super) fn routes(site: &Arc<Site>) -> Router<Arc<Site>> {
     let check = middleware::from_fn_with_state(Arc::clone(site), lease::check);
-    let (router, document) = free().merge(led().route_layer(check)).split_for_parts();
+    let (router, document) = free()
+        .merge(naming_lease(led()).route_layer(check))
+        .merge(naming_lease(desk::judging()))
+        .split_for_parts();
     let text = complete(document).to_json().expect("a document becomes JSON");
     router.layer(Extension(Document(text.into())))
 }
@@ -72,7 +75,7 @@ fn free() -> OpenApiRouter<Arc<Site>> {
 /// What changes something, which is for the holder of control while there is one; and looking at the same things.
 fn led() -> OpenApiRouter<Arc<Site>> {
     use calls::{axes, devices, faults, pins, power};
-    let mut led = desk::led()
+    desk::led()
         .routes(routes!(devices::stream))
         .routes(routes!(pins::read, pins::drive, pins::release))
         .routes(routes!(axes::set_load))
@@ -83,8 +86,12 @@ fn led() -> OpenApiRouter<Arc<Site>> {
         .routes(routes!(faults::clear))
         .routes(routes!(debug::state, debug::set, debug::go))
         .routes(routes!(power::cycle))
-        .routes(routes!(power::cut));
-    for item in led.get_openapi_mut().paths.paths.values_mut() {
+        .routes(routes!(power::cut))
+}
+
+/// Adds the lease to the description of what may need it.
+fn naming_lease(mut router: OpenApiRouter<Arc<Site>>) -> OpenApiRouter<Arc<Site>> {
+    for item in router.get_openapi_mut().paths.paths.values_mut() {
         for change in [&mut item.put, &mut item.post, &mut item.patch, &mut item.delete].into_iter().flatten()
         {
             let lease = ParameterBuilder::new()
@@ -95,7 +102,7 @@ fn led() -> OpenApiRouter<Arc<Site>> {
             change.parameters.get_or_insert_default().push(lease.build().into());
         }
     }
-    led
+    router
 }
 
 /// This document

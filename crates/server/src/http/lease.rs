@@ -138,7 +138,8 @@ pub async fn check(State(site): Shared, request: Request, next: Next) -> Answer<
     Ok(next.run(request).await)
 }
 
-fn key(headers: &HeaderMap) -> Option<&str> {
+/// The lease that a request shows.
+pub fn key(headers: &HeaderMap) -> Option<&str> {
     headers.get(HEADER)?.to_str().ok()
 }
 

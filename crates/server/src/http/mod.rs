@@ -17,7 +17,7 @@ mod tls;
 mod view;
 
 pub use guard::Token;
-pub(crate) use lease::{Lease, LeaseGrant, LeaseRequest};
+pub(crate) use lease::{Lease, LeaseGrant, LeaseRequest, key as lease};
 pub(crate) use request::{Answer, Body, Place, Problem, Shared, at, json, unprocessable};
 pub(crate) use serve::Http;
 pub use serve::HttpSettings;

@@ -84,6 +84,17 @@ fn benches_that_are_wrong() {
     assert_eq!(status, 422);
     assert!(answer["error"].as_str().unwrap().starts_with("bench:5: device.axis.X.home: "), "{answer}");
     refused(bench("[[device]]\nmodel = \"pmx-2ed\"\n"), 409, "there is a controller `pmx-2ed` already");
+    let far =
+        "over HTTP devices come that listen on TCP at this machine (127.0.0.1, [::1], localhost), or nowhere";
+    for place in
+        ["pty:/tmp/x", "hid-unix:/tmp/x", "tcp:0.0.0.0:0", "hid-tcp:192.168.1.5:80", "tcp:example.org:0"]
+    {
+        let listens = |place: &str| format!("[[device]]\nmodel = \"pmx-2ed\"\nlisten = [\"{place}\"]\n");
+        let text = format!("{}name = \"a\"\n{}", listens("tcp:localhost:0"), listens(place));
+        let words = format!("bench:7: device.listen: {place}: {far}");
+        refused(bench(&text), 422, &words);
+    }
+    assert_eq!(names(&rig), ["pmx-2ed"]);
     assert_eq!(add(&rig, json!({ "bench": 5, "real": 6 })).0, 422);
     rig.refused("DELETE", "pmx-2ed", "", 409, "`pmx-2ed` was there from the start and stays");
     let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap();

@@ -1,6 +1,6 @@
 //! Where a device listens: text to and from [`Endpoint`]. Nothing is opened here.
 
-use std::{fmt, path::PathBuf, str::FromStr};
+use std::{fmt, net::IpAddr, path::PathBuf, str::FromStr};
 
 /// A place where a device can be reached.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -67,6 +67,11 @@ pub enum PlaceError {
     /// Another device is there, and USB is no bus.
     #[error("`{0}` is there already, and a HID endpoint has one device")]
     Taken(String),
+    /// It is a file, or open to other machines, and whoever wants it is not at this one.
+    #[error(
+        "over HTTP devices come that listen on TCP at this machine (127.0.0.1, [::1], localhost), or nowhere"
+    )]
+    NotLocal,
 }
 
 impl Endpoint {
@@ -77,6 +82,20 @@ impl Endpoint {
             self,
             Self::Tcp { port: 0, .. } | Self::SlcanTcp { port: 0, .. } | Self::HidTcp { port: 0, .. }
         )
+    }
+
+    /// Whether somebody at another machine may open it: it names no file, and only this machine can connect.
+    ///
+    /// # Errors
+    /// [`PlaceError::NotLocal`].
+    pub fn check_local(&self) -> Result<(), PlaceError> {
+        let is_local = match self {
+            Self::Tcp { host, .. } | Self::SlcanTcp { host, .. } | Self::HidTcp { host, .. } => {
+                host == "localhost" || host.parse::<IpAddr>().is_ok_and(|address| address.is_loopback())
+            }
+            Self::Pty { .. } | Self::HidUnix { .. } => false,
+        };
+        is_local.then_some(()).ok_or(PlaceError::NotLocal)
     }
 
     /// Whether what is there is a device of USB, with reports and a name.

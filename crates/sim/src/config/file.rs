@@ -2,6 +2,7 @@
 
 use super::{
     AxisConfig, Bench, DEFAULT_SUPPLY_V, DEFAULT_TEMPERATURE_C, DeviceConfig, Endpoint, MAX_DEVICES,
+    PlaceError,
 };
 use super::{
     axis::{AxisEntry, check_cams},
@@ -73,6 +74,16 @@ pub(super) fn read(path: &Path) -> Result<Bench, BenchError> {
 }
 
 pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<Bench, BenchError> {
+    parse_where(text, file, models, |_| Ok(()))
+}
+
+/// The same where not every endpoint may be opened.
+pub(super) fn parse_where(
+    text: &str,
+    file: &str,
+    models: &'static [Model],
+    may: fn(&Endpoint) -> Result<(), PlaceError>,
+) -> Result<Bench, BenchError> {
     let source = Source { text, file };
     let (document, bench) = source.parse::<BenchFile>()?;
     let at = |path: &[&str], problem: String| source.entry(&document, path, problem);
@@ -99,7 +110,7 @@ pub(super) fn parse(text: &str, file: &str, models: &'static [Model]) -> Result<
                 return Err(wrong(&["name"], format!("there is already a device named `{}`", device.name)));
             }
             for endpoint in &device.listen {
-                let place = device.fits(endpoint, &devices);
+                let place = may(endpoint).and_then(|()| device.fits(endpoint, &devices));
                 place.map_err(|error| wrong(&["listen"], format!("{endpoint}: {error}")))?;
             }
             devices.push(device);

@@ -77,6 +77,14 @@ impl Bench {
     pub fn parse(text: &str, file: &str) -> Result<Self, BenchError> {
         file::parse(text, file, devices::MODELS)
     }
+
+    /// The same from somebody at another machine: its devices listen on TCP at this one, or nowhere.
+    ///
+    /// # Errors
+    /// [`BenchError`], with the line and key at fault.
+    pub fn parse_local(text: &str, file: &str) -> Result<Self, BenchError> {
+        file::parse_where(text, file, devices::MODELS, Endpoint::check_local)
+    }
 }
 
 /// One device.
