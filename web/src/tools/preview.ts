@@ -95,7 +95,7 @@ class Preview extends Tool {
         </div>
         <div class="row end">
           <label>
-            Way [${this.catalog.units.position}]
+            Distance [${this.catalog.units.position}]
             <input
               inputmode="numeric"
               autocomplete="off"
@@ -143,8 +143,8 @@ class Preview extends Tool {
         <dl>
           ${fact("Time", decimal(made.seconds, 3), "s")}
           ${fact(made.reached ? "Highest speed" : "Highest speed (not the one set)", count(Math.round(made.peakPps)), "pps")}
-          ${fact("Faster for", decimal(made.up.seconds, 3), "s")} ${fact("Even for", decimal(made.cruiseSeconds, 3), "s")}
-          ${fact("Slower for", decimal(made.down.seconds, 3), "s")} ${fact("Way", count(Math.round(made.pulses)), "pulses")}
+          ${fact("Accelerates for", decimal(made.up.seconds, 3), "s")} ${fact("Constant for", decimal(made.cruiseSeconds, 3), "s")}
+          ${fact("Decelerates for", decimal(made.down.seconds, 3), "s")} ${fact("Distance", count(Math.round(made.pulses)), "pulses")}
         </dl>
         ${this.#plot(made)} ${notes.map((note) => html`<p class="warn-text">${note}</p>`)}
       </section>

@@ -114,7 +114,7 @@ class RatioFinder extends Tool {
         </p>
         <div class="row end">
           <label>
-            Way [pulses]
+            Distance [pulses]
             <input
               inputmode="numeric"
               autocomplete="off"

@@ -117,7 +117,7 @@ class Axis extends Tab {
     return html`
       <section class="panel ${status.error ? "error" : ""}" aria-label="Axis ${axis}">
         <div class="row">
-          <span class="name">${axis}</span>
+          <span class="name">${/^\d+$/.test(axis) ? `Axis ${axis}` : axis}</span>
           <span class="badge ${stateKind(status)}" data-role="state">${status.state}</span>
           ${status.loop_state && status.loop_state !== "NA"
             ? html`<span class="badge" title="StepNLoop">${status.loop_state}</span>`
@@ -142,7 +142,8 @@ class Axis extends Tab {
         </div>
         <div class="error-line">
           ${status.error
-            ? html`<strong class="error-text grow">⚠ ${status.error}</strong>`
+            ? html`<span class="grow"><strong class="error-text">⚠ ${status.error}</strong>
+                ${this.catalog.language === "a-script" ? html`<span class="muted">Moves are refused until it is cleared.</span>` : nothing}</span>`
             : html`<span class="muted grow">no error</span>`}
           ${can("clear_error")
             ? html`<button class="small" ?disabled=${!this.usable || !status.error}
@@ -175,7 +176,8 @@ class Axis extends Tab {
     const shown = rows.filter(([label, value]) => value !== null || label === "Target" || label === "Encoder");
     return html`
       <dl>
-        ${shown.map(([label, value, unit]) => html`<dt title=${unit}>${label}</dt><dd data-role=${label.toLowerCase()}>${count(value)}</dd>`)}
+        ${shown.map(([label, value, unit]) => html`<dt>${label}</dt><dd data-role=${label.toLowerCase()}>${count(value)}
+          ${value === null || unit === "" ? nothing : html`<span class="unit">${unit}</span>`}</dd>`)}
       </dl>
     `;
   }

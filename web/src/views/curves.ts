@@ -265,6 +265,8 @@ export class Curves extends Tab {
       if (!this.paused) plot.setScale("x", { min: this.#edge - this.span, max: this.#edge });
       else this.#showAll();
     });
+    // Without a cursor the legend has the newest values.
+    if ((plot.cursor.left ?? -1) < 0) plot.setLegend({ idx: data[0]!.length - 1 }, false);
   }
 
   #showAll(): void {
@@ -297,7 +299,7 @@ export class Curves extends Tab {
       this.#columnsNow(),
       place,
     );
-    place.querySelector(".u-legend")?.setAttribute("aria-label", "Values at the cursor");
+    place.querySelector(".u-legend")?.setAttribute("aria-label", "The newest values, or those at the cursor");
     if (this.paused) this.#showAll();
   }
 

@@ -142,7 +142,7 @@ class Faults extends Tab {
             ${this.kinds.map(({ name }) => html`<option value=${name} ?selected=${name === this.kind}>${words(name)}</option>`)}
           </select>
         </label>
-        <p class="about">${kind.text}</p>
+        <p class="about">${kind.text.split("`").map((part, n) => (n % 2 === 0 ? part : html`<code>${part}</code>`))}</p>
         <div class="fields">
           ${kind.needs.map((key) => this.#field(key, true))} ${kind.may.map((key) => this.#field(key, false))}
           ${keys.map((key) => this.#field(key, false))}

@@ -1,7 +1,8 @@
 // A joystick: a stick for the analog inputs of two axes, which springs back to the middle.
 
-import { css, html } from "lit";
+import { css, html, nothing } from "lit";
 import type { Catalog, PinInfo } from "../api/contract.ts";
+import { routeTo } from "../state/route.ts";
 import { Slide } from "../state/slide.ts";
 import { base } from "../ui/styles.ts";
 import { Tab } from "./tab.ts";
@@ -72,11 +73,14 @@ class Joystick extends Tab {
 
   override render() {
     const pins = stick(this.catalog);
+    const mask = this.catalog.parameters.find(({ group, axis, high }) => group === "Joystick" && axis === null && high === 3);
     const [x, y] = this.at;
     return html`
       <section class="panel stack" aria-label="Joystick">
         <h2>Joystick</h2>
-        <p class="muted">${pins.map(({ name, axis }) => `${name}${axis ? ` for ${axis}` : ""}`).join(", ")}. It springs back; arrow keys bend it.</p>
+        <p class="muted">${pins.map(({ name, axis }) => `${name}${axis ? ` for ${axis}` : ""}`).join(", ")}. It springs back; arrow keys bend it.
+          ${mask ? html`The axes follow where <code>${mask.id}</code> has their bit, as fast and as far as the other parameters
+            of “${mask.group}” let them: <a href=${routeTo(this.device.name, "parameters")}>Parameters</a>.` : nothing}</p>
         <svg width="150" height="150" viewBox="-75 -75 150 150" tabindex="0" role="application"
           aria-label="Joystick of ${pins.map(({ name }) => name).join(" and ")}"
           @pointerdown=${this.#grab} @pointermove=${this.#drag} @pointerup=${this.#letGo} @pointercancel=${this.#letGo}

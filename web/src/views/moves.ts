@@ -22,7 +22,7 @@ class Moves extends Tab {
       }
       .targets {
         display: grid;
-        grid-template-columns: auto minmax(0, 1fr);
+        grid-template-columns: auto minmax(0, 1fr) auto;
         gap: 6px 10px;
         align-items: center;
       }
@@ -86,6 +86,7 @@ class Moves extends Tab {
               </label>
               <input name=${axis} class="number" type="text" inputmode="numeric" value="0" autocomplete="off"
                 aria-label="${relative ? "Distance" : "Target"} of axis ${axis} in ${this.catalog.units.position}" />
+              <span class="muted">${this.catalog.units.position}</span>
             `,
           )}
         </div>

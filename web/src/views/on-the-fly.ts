@@ -40,6 +40,7 @@ class OnTheFly extends Tab {
 
   override render() {
     const { actions, axes, parameters, speed_windows, units } = this.catalog;
+    const ramp = parameters.find(({ role }) => role === "acceleration");
     const window = parameters.find(({ role, axis }) => role === "speed_window" && axis === this.axis)?.id;
     return html`
       <div class="panel stack">
@@ -60,14 +61,14 @@ class OnTheFly extends Tab {
           : nothing}
         ${actions.includes("change_speed")
           ? html`<form class="fields" @submit=${this.#speed}>
-              <label title=${units.speed}>Speed <input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
-              <label title="empty: as it is">Accel <input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
+              <label>Speed (${units.speed})<input name="speed" class="number" type="text" inputmode="numeric" value="1000" /></label>
+              <label title=${ramp ? `${ramp.name}; empty: as it is` : "empty: as it is"}>Accel${ramp?.unit ? ` (${ramp.unit})` : ""}<input name="acceleration" class="number" type="text" inputmode="numeric" /></label>
               <button ?disabled=${!this.usable}>Set speed</button>
             </form>`
           : nothing}
         ${actions.includes("change_target")
           ? html`<form class="fields" @submit=${this.#target}>
-              <label title=${units.position}>Target <input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
+              <label>Target (${units.position})<input name="target" class="number" type="text" inputmode="numeric" value="1000" /></label>
               <button ?disabled=${!this.usable}>Set target</button>
             </form>`
           : nothing}

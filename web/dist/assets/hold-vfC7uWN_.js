@@ -1,4 +1,4 @@
-import{C as e,b as t,p as n,u as r,x as i,y as a}from"./index-B5g3GHyC.js";var o=class{#e;#t;#n;#r=null;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}begin(e){let[t,n]=[this.#t.name,this.#n],i=r(()=>this.#e.act(t,{do:`jog`,axis:n,direction:e,held:!0}));this.#r=i.finally(()=>{this.#r=null}),this.#t.hold(n)}end(){let[e,t]=[this.#t.name,this.#n],n=()=>r(()=>this.#e.act(e,{do:`stop`,axis:t}).catch(()=>this.#e.stop(e))),i=this.#r;this.#t.letGo(t),n(),i&&i.then(n)}},s=e`
+import{S as e,b as t,p as n,u as r,w as i,x as a}from"./index-CerYJh07.js";var o=class{#e;#t;#n;#r=null;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}begin(e){let[t,n]=[this.#t.name,this.#n],i=r(()=>this.#e.act(t,{do:`jog`,axis:n,direction:e,held:!0}));this.#r=i.finally(()=>{this.#r=null}),this.#t.hold(n)}end(){let[e,t]=[this.#t.name,this.#n],n=()=>r(()=>this.#e.act(e,{do:`stop`,axis:t}).catch(()=>this.#e.stop(e))),i=this.#r;this.#t.letGo(t),n(),i&&i.then(n)}},s=i`
   .lamp {
     display: inline-flex;
     align-items: center;
@@ -26,11 +26,11 @@ import{C as e,b as t,p as n,u as r,x as i,y as a}from"./index-B5g3GHyC.js";var o
     border-color: var(--error);
     background: var(--error);
   }
-`;function c(e,n,r,a=!1){return n==null?t:i`
-    <span class="lamp ${n?`on`:``} ${a?`hot`:``}" title="${r}: ${n?`on`:`off`}"
-      >${e}<span class="visually-hidden">, ${r} ${n?`on`:`off`}</span></span
+`;function c(t,n,r,i=!1){return n==null?a:e`
+    <span class="lamp ${n?`on`:``} ${i?`hot`:``}" title="${r}: ${n?`on`:`off`}"
+      >${t}<span class="visually-hidden">, ${r} ${n?`on`:`off`}</span></span
     >
-  `}var l=class extends a{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[n,e`
+  `}var l=class extends t{static properties={disabled:{type:Boolean},label:{type:String},held:{state:!0}};static styles=[n,i`
       button {
         width: 100%;
         min-height: 38px;
@@ -42,7 +42,7 @@ import{C as e,b as t,p as n,u as r,x as i,y as a}from"./index-B5g3GHyC.js";var o
         background: var(--accent);
         color: var(--on-accent);
       }
-    `];#e=()=>this.#o();#t=()=>{document.hidden&&this.#o()};constructor(){super(),this.disabled=!1,this.label=``,this.held=!1}connectedCallback(){super.connectedCallback(),window.addEventListener(`blur`,this.#e),window.addEventListener(`pagehide`,this.#e),document.addEventListener(`visibilitychange`,this.#t)}disconnectedCallback(){super.disconnectedCallback(),this.#o(),window.removeEventListener(`blur`,this.#e),window.removeEventListener(`pagehide`,this.#e),document.removeEventListener(`visibilitychange`,this.#t)}updated(){this.disabled&&this.#o()}render(){return i`
+    `];#e=()=>this.#o();#t=()=>{document.hidden&&this.#o()};constructor(){super(),this.disabled=!1,this.label=``,this.held=!1}connectedCallback(){super.connectedCallback(),window.addEventListener(`blur`,this.#e),window.addEventListener(`pagehide`,this.#e),document.addEventListener(`visibilitychange`,this.#t)}disconnectedCallback(){super.disconnectedCallback(),this.#o(),window.removeEventListener(`blur`,this.#e),window.removeEventListener(`pagehide`,this.#e),document.removeEventListener(`visibilitychange`,this.#t)}updated(){this.disabled&&this.#o()}render(){return e`
       <button
         ?disabled=${this.disabled}
         aria-label=${this.label}

@@ -1,1 +1,0 @@
-import{C as e,p as t,x as n}from"./index-B5g3GHyC.js";import"./curves-Bn3Q-yc1.js";import{t as r}from"./tab-BkMu52L1.js";var i=class extends r{static styles=[t,e``];render(){return n`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
