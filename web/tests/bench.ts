@@ -217,8 +217,10 @@ export async function until<T>(what: string, read: () => Promise<T>, holds: (val
 }
 
 /** Takes a picture for the documents, where PULSETRAIN_PICTURES says. */
-export async function picture(page: Page, name: string): Promise<void> {
+export async function picture(page: Page, name: string, colorScheme: "light" | "dark" = "light"): Promise<void> {
   if (PICTURES === undefined) return;
   await mkdir(PICTURES, { recursive: true });
+  await page.emulateMedia({ colorScheme });
   await page.screenshot({ path: `${PICTURES}/${name}.png` });
+  await page.emulateMedia({ colorScheme: "light" });
 }

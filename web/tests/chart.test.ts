@@ -26,7 +26,7 @@ test("eight curves of a move, paused, zoomed and saved", async () => {
     await until("frames are counted", () => curves.getAttribute("data-fps"), (fps) => fps !== null);
     await page.waitForTimeout(3500);
     console.log(`# ${await curves.getAttribute("data-fps")} frames a second with eight curves`);
-    await picture(page, "chart");
+    await picture(page, "chart", "dark");
     await page.getByLabel("Time shown").selectOption("60");
     await page.waitForTimeout(1500);
     console.log(`# ${await curves.getAttribute("data-fps")} frames a second with eight curves over a minute`);

@@ -24,6 +24,6 @@ test("every function in the documents has its test", async () => {
 test("every picture of the page is there", async () => {
   const page = await readFile(PAGE, "utf8");
   const pictures = [...page.matchAll(/!\[[^\]]+\]\(([^)]+)\)/g)].map(([, path]) => path!);
-  assert.equal(pictures.length, 8);
+  assert.equal(pictures.length, 9);
   for (const path of pictures) assert.ok(existsSync(`docs/${path}`), path);
 });

@@ -71,7 +71,7 @@ test("a breakpoint holds the controller, which is stepped line by line, watched 
     await press(page, "Run Program");
     await threads(page).getByText("held").waitFor();
     await threads(page).getByText("line 6").waitFor();
-    await picture(page, "program");
+    await picture(page, "program", "dark");
     const seconds = async () => (await server.ask<{ device_seconds: number }>("GET", "/devices/pd42-1140")).device_seconds;
     const stood = await seconds();
     await page.waitForTimeout(200);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { CDPSession, Page } from "playwright-core";
-import { DESK, Server, look, until, withBrowser } from "./bench.ts";
+import { DESK, Server, look, picture, until, withBrowser } from "./bench.ts";
 
 const MODELS = ["pd42-1140", "pmx-2ed", "cmd-4cr"];
 /** The narrowest phones. */
@@ -31,6 +31,7 @@ async function everywhere(page: Page, visit: (where: string) => Promise<void>): 
       ), (is) => is);
       // Hundreds of rows that are alike.
       if (title === "Parameters") await page.getByLabel("Search parameters").fill("speed");
+      if (title === "Program") await page.getByLabel("not zero").check();
       const tools = page.getByRole("group", { name: "Tools", exact: true }).getByRole("button");
       const parts = title === "Tools" ? await tools.all() : [];
       for (const part of parts) {
@@ -223,6 +224,7 @@ async function walk() {
       await page.waitForFunction(fits, null, { timeout: 2000 }).catch(async () => {
         note("width", [`${await page.evaluate(() => document.documentElement.scrollWidth)} pixels wide`]);
       });
+      if (where === "pmx-2ed, Control") await picture(page, "phone");
       await page.setViewportSize(DESK);
     });
     // What happens is said when there is time, what is wrong at once.

@@ -67,6 +67,7 @@ class Variables extends LitElement {
         color: var(--warn);
         font-size: 12px;
         text-align: right;
+        white-space: nowrap;
       }
     `,
   ];
