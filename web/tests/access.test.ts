@@ -54,42 +54,6 @@ test("the server is lost and regained", async () => {
   await second.stop();
 });
 
-test("an axis that is jogged stops when the page is gone, or its network", async () => {
-  const speed = async () => (await server.ask<Status>("GET", "/devices/cmd-4cr/status")).axes["X"]!.speed;
-  for (const goes of ["page", "network"] as const) {
-    server.lease = null;
-    const { page, context } = await open(server, "#/cmd-4cr/control");
-    // The first window is gone and could not give control back.
-    if (goes === "network") await page.getByRole("button", { name: "Take over" }).click();
-    const axis = page.getByRole("region", { name: "Axis X", exact: true });
-    const motor = axis.getByRole("button", { name: /^motor/ });
-    await until("it can be used", () => motor.isEnabled(), (may) => may);
-    if ((await motor.getAttribute("aria-pressed")) === "false") await motor.click();
-    await until("the motor on", () => motor.getAttribute("aria-pressed"), (on) => on === "true");
-    await axis.getByRole("button", { name: "Jog X in positive direction while pressed" }).hover();
-    await page.mouse.down();
-    await until("X moves", speed, (pps) => pps > 0);
-    // Longer than the server's patience: the page says all the time that the button is held.
-    const end = Date.now() + 1000;
-    while (Date.now() < end) assert.ok((await speed()) > 0);
-
-    const gone = Date.now();
-    if (goes === "page") {
-      // As if the browser had been killed: nothing of the page runs any more.
-      const killer = await context.newCDPSession(page);
-      void killer.send("Page.crash").catch(() => undefined);
-    } else {
-      await context.setOffline(true);
-    }
-    await until(`X stands without the ${goes}`, speed, (pps) => pps === 0);
-    const late = Date.now() - gone;
-    console.log(`# X stands ${late} ms after the ${goes} is gone`);
-    assert.ok(late < 2500, `${late} ms`);
-    // A page that has crashed cannot be asked to close.
-    if (goes === "network") await context.close();
-  }
-});
-
 test("without the token the page asks for it, and the address does not keep it", async () => {
   const window = await open(server, "#/");
   await window.page.getByRole("link", { name: "pmx-2ed", exact: true }).waitFor();
@@ -153,4 +117,41 @@ test("dark and light", async () => {
     await page.getByLabel("Colours").selectOption("dark");
     await until("it is dark", background, (colour) => colour !== light);
   });
+});
+
+// The last one: a page that is gone keeps control for ten seconds.
+test("an axis that is jogged stops when the page is gone, or its network", async () => {
+  const speed = async () => (await server.ask<Status>("GET", "/devices/cmd-4cr/status")).axes["X"]!.speed;
+  for (const goes of ["page", "network"] as const) {
+    server.lease = null;
+    const { page, context } = await open(server, "#/cmd-4cr/control");
+    // The first window is gone and could not give control back.
+    if (goes === "network") await page.getByRole("button", { name: "Take over" }).click();
+    const axis = page.getByRole("region", { name: "Axis X", exact: true });
+    const motor = axis.getByRole("button", { name: /^motor/ });
+    await until("it can be used", () => motor.isEnabled(), (may) => may);
+    if ((await motor.getAttribute("aria-pressed")) === "false") await motor.click();
+    await until("the motor on", () => motor.getAttribute("aria-pressed"), (on) => on === "true");
+    await axis.getByRole("button", { name: "Jog X in positive direction while pressed" }).hover();
+    await page.mouse.down();
+    await until("X moves", speed, (pps) => pps > 0);
+    // Longer than the server's patience: the page says all the time that the button is held.
+    const end = Date.now() + 1000;
+    while (Date.now() < end) assert.ok((await speed()) > 0);
+
+    const gone = Date.now();
+    if (goes === "page") {
+      // As if the browser had been killed: nothing of the page runs any more.
+      const killer = await context.newCDPSession(page);
+      void killer.send("Page.crash").catch(() => undefined);
+    } else {
+      await context.setOffline(true);
+    }
+    await until(`X stands without the ${goes}`, speed, (pps) => pps === 0);
+    const late = Date.now() - gone;
+    console.log(`# X stands ${late} ms after the ${goes} is gone`);
+    assert.ok(late < 2500, `${late} ms`);
+    // A page that has crashed cannot be asked to close.
+    if (goes === "network") await context.close();
+  }
 });

@@ -1,6 +1,6 @@
 // From a controller's parameters to how an axis moves and counts.
 
-import type { Catalog, ParameterInfo, SpeedWindow, Value } from "../api/contract.ts";
+import type { Catalog, ParameterInfo, Role, Value } from "../api/contract.ts";
 import * as pps from "./pps.ts";
 import type { Move } from "./profile.ts";
 import { accelerationRange, accelerationUnit, type Divisors, speedUnit } from "./tmc429.ts";
@@ -15,17 +15,23 @@ const AP = { topSpeed: 4, acceleration: 5, stopSpeed: 130, mode: 138, microsteps
 /** Axis parameter 138 for the exponential approach. */
 const SOFT = 1;
 
-/** Settings of an axis, and those of all axes that hold where its own are 0. */
-const OWN = ["HSPD", "LSPD", "ACC", "DEC", "SCV", "SSPDM", "SL", "SLR"];
-const COMMON = ["HSPD", "LSPD", "ACC", "DEC", "EDEC"];
+/** What decides how an axis moves whose ramps are pulses a second: its own settings, and where those are 0 the common ones. */
+const ROLES: (Role | null)[] = [
+  "high_speed", "low_speed", "acceleration", "deceleration", "own_deceleration", "s_curve", "speed_window", "closed_loop",
+  "closed_loop_ratio",
+];
 
 /** The parameters that decide how an axis moves, as far as the model has them. */
 export function deciding(catalog: Catalog, axis: string): ParameterInfo[] {
-  const ids =
-    catalog.language === "tmcl"
-      ? Object.values(AP).map((number) => `AP${number}.${axis}`)
-      : [...OWN.map((name) => name + axis), ...COMMON];
-  return named(catalog, ids);
+  if (catalog.language === "tmcl") return named(catalog, Object.values(AP).map((number) => `AP${number}.${axis}`));
+  return catalog.parameters.filter((info) => ROLES.includes(info.role) && (info.axis === axis || info.axis === null));
+}
+
+/** The value of what has this role for an axis, its own or the common one. */
+function valueOf(catalog: Catalog, axis: string, values: Values, what: Role): number {
+  const those = catalog.parameters.filter(({ role }) => role === what);
+  const of = (owner: string | null) => those.find((info) => info.axis === owner)?.id ?? "";
+  return number(values, of(axis)) || number(values, of(null));
 }
 
 /** The parameters with these ids, in this order; those that a model lacks are left out. */
@@ -37,7 +43,7 @@ export function named(catalog: Catalog, ids: readonly string[]): ParameterInfo[]
 /** How an axis counts. */
 export function counting(catalog: Catalog, axis: string, values: Values): Counting {
   if (catalog.language === "tmcl") return { divisors: divisors(axis, values) };
-  const ratio = number(values, `SLR${axis}`);
+  const ratio = valueOf(catalog, axis, values, "closed_loop_ratio");
   return ratio > 0 ? { pulsesPerCount: ratio } : {};
 }
 
@@ -57,7 +63,7 @@ export interface Plan {
 export function plan(catalog: Catalog, axis: string, values: Values, distance: number): Plan {
   return catalog.language === "tmcl"
     ? registers(axis, values, distance)
-    : pulses(axis, values, distance, catalog.speed_windows, "EDEC" in values);
+    : pulses(catalog, axis, values, distance);
 }
 
 function registers(axis: string, values: Values, distance: number): Plan {
@@ -86,23 +92,24 @@ function registers(axis: string, values: Values, distance: number): Plan {
   };
 }
 
-function pulses(axis: string, values: Values, distance: number, windows: SpeedWindow[], ownRule: boolean): Plan {
-  const get = (name: string) => number(values, name + axis) || number(values, name);
-  const accelerationMs = get("ACC");
-  // With EDEC the deceleration is a setting of its own; a model without EDEC always has one.
-  const own = !ownRule || number(values, "EDEC") !== 0;
+function pulses(catalog: Catalog, axis: string, values: Values, distance: number): Plan {
+  const get = (role: Role) => valueOf(catalog, axis, values, role);
+  const accelerationMs = get("acceleration");
+  // Where a setting says whether the deceleration is one of its own; other models always have one.
+  const rule = catalog.parameters.some(({ role }) => role === "own_deceleration");
+  const own = !rule || get("own_deceleration") !== 0;
   const made = pps.move(
     {
-      highPps: get("HSPD"),
-      lowPps: get("LSPD"),
+      highPps: get("high_speed"),
+      lowPps: get("low_speed"),
       accelerationMs,
-      decelerationMs: own ? get("DEC") : accelerationMs,
-      sCurve: number(values, `SCV${axis}`) !== 0,
-      window: number(values, `SSPDM${axis}`),
-      pulsesPerCount: number(values, `SL${axis}`) !== 0 ? number(values, `SLR${axis}`) || 1 : null,
+      decelerationMs: own ? get("deceleration") : accelerationMs,
+      sCurve: get("s_curve") !== 0,
+      window: get("speed_window"),
+      pulsesPerCount: get("closed_loop") !== 0 ? get("closed_loop_ratio") || 1 : null,
     },
     distance,
-    windows,
+    catalog.speed_windows,
   );
   return { move: made.move, notes: made.notes };
 }

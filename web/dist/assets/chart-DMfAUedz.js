@@ -1,1 +1,0 @@
-import{S as e,p as t,w as n}from"./index-UiYVodOp.js";import"./curves-C3XyC9Bx.js";import{t as r}from"./tab-BWlrZseN.js";var i=class extends r{static styles=[t,n``];render(){return e`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
