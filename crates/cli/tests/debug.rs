@@ -385,7 +385,14 @@ fn an_editor_steps_to_and_fro() {
     let axes = editor.ask("variables", json!({ "variablesReference": scope("Axes") }));
     let x =
         editor.ask("variables", json!({ "variablesReference": axes["variables"][0]["variablesReference"] }));
-    assert_eq!(x["variables"][0], json!({ "name": "position", "value": "0", "variablesReference": 0 }));
+    assert_eq!(
+        x["variables"][0],
+        json!({ "name": "position", "value": "0", "variablesReference": 0, "evaluateName": "PX" })
+    );
+    let x = axes["variables"][0]["variablesReference"].clone();
+    let set = json!({ "variablesReference": x, "name": "position", "value": "7" });
+    assert_eq!(editor.ask("setVariable", set)["value"], "7");
+    assert_eq!(editor.value("PX"), "7");
 
     // Another value, and another course.
     let set = json!({ "variablesReference": scope("Variables"), "name": "V1", "value": "2" });

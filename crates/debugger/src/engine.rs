@@ -86,6 +86,14 @@ struct Search {
     ended: Option<Ticks>,
 }
 
+/// The last stop of a part of the past.
+struct Last {
+    point: Point,
+    stop: Stop,
+    /// The clock of the look before, if what is watched has changed since then and no line has changed it.
+    quiet: Option<Ticks>,
+}
+
 impl Debugger {
     /// A program that is about to execute its first line. It runs for `seconds` at most.
     ///
@@ -243,15 +251,15 @@ impl Debugger {
     /// Goes somewhere.
     ///
     /// # Errors
-    /// [`RunError`], on the way back only.
+    /// [`RunError`], where it goes over the past.
     pub fn go(&mut self, direction: Direction, goal: Goal) -> Result<Stop, RunError> {
         let stop = match direction {
-            Direction::Forward => self.forward(goal),
+            Direction::Forward => self.forward(goal)?,
             Direction::Backward => self.backward(goal)?,
         };
-        for watch in &mut self.watches {
-            watch.value = stop::value(&mut self.session.device, &watch.name).unwrap_or(watch.value);
-        }
+        let values = values(&self.watches, &mut self.session);
+        self.watches.iter_mut().zip(values).for_each(|(watch, value)| watch.value = value);
+        self.interrupt.store(false, Ordering::Relaxed);
         match stop {
             Stop::Failed(program) => self.program = program,
             _ => self.program = self.session.held.unwrap_or(self.program),
@@ -271,32 +279,95 @@ impl Debugger {
         Search { goal, program, depth, errors, ended: None }
     }
 
-    fn forward(&mut self, goal: Goal) -> Stop {
+    fn forward(&mut self, goal: Goal) -> Result<Stop, RunError> {
         let mut search = self.search(goal);
         let until = match search.goal {
             Goal::Clock(clock) => clock.min(self.limit),
             _ => self.limit,
         };
         if self.session.point.clock >= until && self.session.held.is_none() {
-            return Stop::Time;
+            return Ok(Stop::Time);
         }
         loop {
-            self.advance(until);
+            let (before, values) = (self.session.point.clock, self.values());
+            let by_line = self.execute();
+            self.arrive(until);
             if let Some(stop) = self.look(&mut search) {
-                return stop;
+                let is_late = matches!(stop, Stop::Watch { .. }) && !by_line;
+                let change = if is_late { self.change(before, |now| *now != values)? } else { None };
+                return Ok(change.unwrap_or(stop));
             }
             if self.session.held.is_none() && self.session.point.clock >= until {
-                return Stop::Time;
+                return Ok(Stop::Time);
             }
             if self.interrupt.swap(false, Ordering::Relaxed) {
-                return Stop::Interrupted;
+                return Ok(Stop::Interrupted);
             }
         }
     }
 
-    /// To the next line that is due, or whatever else is worth a look, and what was done there.
-    fn advance(&mut self, until: Ticks) {
+    /// What the watches have seen last.
+    fn values(&self) -> Vec<PinValue> {
+        self.watches.iter().map(|watch| watch.value).collect()
+    }
+
+    /// What the watches see at a point of the past; `None` if somebody interrupts the way there.
+    fn values_at(&self, point: Point) -> Result<Option<(Session, Vec<PinValue>)>, RunError> {
+        let session = Session::at(&self.target, &self.deeds, point, &self.interrupt)?;
+        Ok(session.map(|mut session| {
+            let values = values(&self.watches, &mut session);
+            (session, values)
+        }))
+    }
+
+    /// Between two looks nobody watches. Finds the clock after `from`, and before that at which it stands now, from
+    /// which on the values `have_changed`, and goes there; `None` if that is where it stands, or if somebody interrupts
+    /// the search.
+    fn change(
+        &mut self,
+        from: Ticks,
+        have_changed: impl Fn(&Vec<PinValue>) -> bool,
+    ) -> Result<Option<Stop>, RunError> {
+        let (mut low, mut high) = (from, self.session.point.clock);
+        let start = Point { clock: from, round: 0, line: Point::OVER };
+        let Some(mut before) = self.values_at(start)?.map(|(_, values)| values) else { return Ok(None) };
+        let mut found = None;
+        while high.saturating_sub(low) > 1 {
+            let clock = low.midpoint(high);
+            let point = Point { clock, round: 0, line: Point::OVER };
+            let Some((session, values)) = self.values_at(point)? else { return Ok(None) };
+            if have_changed(&values) {
+                high = clock;
+                found = Some((session, values));
+            } else {
+                low = clock;
+                before = values;
+            }
+        }
+        let Some((session, values)) = found else { return Ok(None) };
+        self.session = session;
+        let changes = self.watches.iter().zip(before.into_iter().zip(values));
+        let mut changes = changes.filter(|(_, (before, now))| before != now);
+        Ok(changes.next().map(|(Watch { number, name, .. }, (before, now))| Stop::Watch {
+            number: *number,
+            name: name.clone(),
+            before,
+            now,
+        }))
+    }
+
+    /// Executes the line before which it stands, if it does. Whether that has changed what is watched.
+    fn execute(&mut self) -> bool {
+        let was_held = self.session.held.is_some();
         self.session.execute();
+        let device = &mut self.session.device;
+        let has_changed =
+            |watch: &Watch| stop::value(device, &watch.name).is_some_and(|now| now != watch.value);
+        was_held && self.watches.iter().any(has_changed)
+    }
+
+    /// To the next line that is due, or whatever else is worth a look, and what was done there.
+    fn arrive(&mut self, until: Ticks) {
         let next = self.deeds.iter().find(|deed| deed.at > self.session.point).map(|deed| deed.at);
         let until = next.map_or(until, |point| point.clock.min(until));
         let device = &self.session.device;
@@ -398,14 +469,17 @@ impl Debugger {
                 return Ok(Stop::Interrupted);
             }
             let last = self.last_stop(from, end, &mut search);
-            let is_interrupted = self.interrupt.load(Ordering::Relaxed);
-            let there = match last {
-                _ if is_interrupted => return Ok(Stop::Interrupted),
-                Some((point, stop)) => Some((point, stop)),
-                None => (from == self.start).then_some((from, Stop::Start)),
-            };
-            if let Some((point, stop)) = there {
-                return Ok(if self.travel(point, home)? { stop } else { Stop::Interrupted });
+            if self.interrupt.load(Ordering::Relaxed) {
+                return Ok(Stop::Interrupted);
+            }
+            let start = (from == self.start).then_some(Last { point: from, stop: Stop::Start, quiet: None });
+            if let Some(Last { point, stop, quiet }) = last.or(start) {
+                if !self.travel(point, home)? {
+                    return Ok(Stop::Interrupted);
+                }
+                let values = values(&self.watches, &mut self.session);
+                let change = quiet.map(|since| self.change(since, |now| *now == values)).transpose()?;
+                return Ok(change.flatten().unwrap_or(stop));
             }
             end = from;
             span = span.saturating_mul(2);
@@ -413,12 +487,12 @@ impl Debugger {
     }
 
     /// The last stop from this point, which was travelled to, to before another.
-    fn last_stop(&mut self, from: Point, end: Point, search: &mut Search) -> Option<(Point, Stop)> {
-        for watch in &mut self.watches {
-            watch.value = stop::value(&mut self.session.device, &watch.name).unwrap_or(watch.value);
-        }
+    fn last_stop(&mut self, from: Point, end: Point, search: &mut Search) -> Option<Last> {
+        let values = values(&self.watches, &mut self.session);
+        self.watches.iter_mut().zip(values).for_each(|(watch, value)| watch.value = value);
         search.errors = errors(&self.session.device);
         let mut last = None;
+        let (mut before, mut by_line) = (from.clock, false);
         loop {
             let stop = match self.look(search) {
                 // The programs end once.
@@ -429,9 +503,16 @@ impl Debugger {
             if self.session.point != from
                 && let Some(stop) = stop
             {
-                last = Some((self.session.point, stop));
+                let is_late = matches!(stop, Stop::Watch { .. }) && !by_line;
+                last = Some(Last { point: self.session.point, stop, quiet: is_late.then_some(before) });
             }
-            self.advance(end.clock);
+            before = self.session.point.clock;
+            by_line = self.execute();
+            // What changes between this look and the end is seen in the clock before that. What a line changes is seen
+            // at the next one.
+            let sight = end.clock.saturating_sub(1);
+            let ends = by_line || self.watches.is_empty() || before >= sight;
+            self.arrive(if ends { end.clock } else { sight });
             if self.session.point >= end || self.interrupt.load(Ordering::Relaxed) {
                 return last;
             }
@@ -454,6 +535,12 @@ impl Debugger {
     pub fn value(&mut self, name: &str) -> Option<PinValue> {
         stop::value(&mut self.session.device, name)
     }
+}
+
+/// What watches see in a session.
+fn values(watches: &[Watch], session: &mut Session) -> Vec<PinValue> {
+    let value = |watch: &Watch| stop::value(&mut session.device, &watch.name).unwrap_or(watch.value);
+    watches.iter().map(value).collect()
 }
 
 /// How many programs are in their error state.

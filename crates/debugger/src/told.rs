@@ -41,7 +41,8 @@ pub enum ToldError {
 }
 
 impl Debugger {
-    /// Sets a register, parameter or variable as a host does, or drives an input.
+    /// Sets a register, parameter or variable as a host does, or drives an input. What no host can set, the
+    /// accumulator and the X register of TMCL, is set by hand.
     ///
     /// # Errors
     /// [`ToldError`].
@@ -56,8 +57,13 @@ impl Debugger {
             Language::Ascript(_) => self.send(&format!("{}={text}", name.to_uppercase())).map(drop),
             Language::Tmcl => {
                 let value = text.parse().map_err(|_| ToldError::Value(text.into()))?;
-                let command = setter(name, value).ok_or_else(|| ToldError::Name(name.into()))?;
-                self.command(command).map(drop)
+                match setter(name, value) {
+                    Some(command) => self.command(command).map(drop),
+                    None => {
+                        let set = self.perform(Act::Register(name.to_uppercase(), value));
+                        set.map(drop).map_err(|_| ToldError::Name(name.into()))
+                    }
+                }
             }
         }
     }

@@ -283,3 +283,76 @@ fn routines() {
     go(&mut debugger, Direction::Backward, Goal::Out);
     assert_eq!(line(&mut debugger), 8);
 }
+
+/// A watch stops at the clock at which what it looks at changes, and on the way back at the same.
+#[track_caller]
+fn watched(
+    model: &str,
+    source: &str,
+    inputs: &[&str],
+    name: &str,
+    skip: usize,
+    expected: impl Fn(f64) -> bool,
+) {
+    let mut debugger = debugger(model, source, inputs);
+    let number = debugger.watch(name).unwrap().number;
+    let mut seen = Vec::new();
+    for _ in 0..skip + 2 {
+        let stop = go(&mut debugger, Direction::Forward, Goal::End);
+        assert!(matches!(&stop, Stop::Watch { number: found, .. } if *found == number), "{stop:?}");
+        seen.push((stop, look(&mut debugger), debugger.seconds()));
+    }
+    let seconds = seen[skip].2;
+    assert!(expected(seconds), "{name}: {seconds}");
+    for (stop, state, seconds) in seen.iter().rev().skip(1) {
+        assert_eq!(go(&mut debugger, Direction::Backward, Goal::End), *stop, "back to {seconds}");
+        assert_eq!(look(&mut debugger), *state);
+    }
+}
+
+#[test]
+fn watches_are_exact() {
+    let hz = |seconds: f64| move |at: f64| (at - seconds).abs() < 1e-7;
+    // A program that waits in a loop, and pins that change within a line of it.
+    let inputs = ["0.1234567:STOP_R=true", "0.1234570:STOP_R=false", "0.2:STOP_R=true"];
+    let tmcl = "l: GIO 0, 0\nCOMP 1\nJC NE, l\nSTOP\n";
+    watched("pd42-1140", tmcl, &inputs, "STOP_R", 1, hz(0.123_457));
+    let inputs = ["0.1234567:DI1=true", "0.1234570:DI1=false", "0.2:DI1=true"];
+    let ascript = "PRG 0\nWHILE DI2=0\nENDWHILE\nEND\n";
+    for model in ["pmx-2ed", "cmd-4cr"] {
+        watched(model, ascript, &inputs, "DI1", 0, hz(0.123_456_7));
+    }
+    // One that waits for its axis, which goes 1000 pulses a second: there is nothing else to wake up for.
+    let cruise = "PRG 0\nEO=3\nHSPD=1000\nLSPD=1000\nACC=100\nX400\nWAITX\nEND\n";
+    let mut last = debugger("pmx-2ed", cruise, &[]);
+    last.watch("PX").unwrap();
+    let mut times = Vec::new();
+    for _ in 0..20 {
+        go(&mut last, Direction::Forward, Goal::End);
+        times.push(last.seconds());
+        assert_eq!(last.value("PX"), Some(sim::PinValue::Number(times.len() as f64)));
+    }
+    for (a, b) in times.iter().zip(&times[1..]) {
+        assert!((b - a - 0.001).abs() < 1e-6, "pulse for pulse: {times:?}");
+    }
+    watched("pmx-2ed", cruise, &[], "PX", 2, |seconds| seconds > 0.0);
+}
+
+#[test]
+fn registers_of_tmcl_are_set() {
+    let mut debugger = debugger("pd42-1140", "CALC LOAD, 5\nCALCX LOAD\nCALC ADD, 1\nAGP 1, 2\nSTOP\n", &[]);
+    for _ in 0..2 {
+        go(&mut debugger, Direction::Forward, Goal::Into);
+    }
+    debugger.set("A", "41").unwrap();
+    debugger.set("x", "-7").unwrap();
+    assert!(debugger.set("EQ", "1").is_err());
+    go(&mut debugger, Direction::Forward, Goal::End);
+    let values = ["V1", "X", "A"].map(|name| debugger.value(name).unwrap());
+    assert_eq!(values, [42.0, -7.0, 42.0].map(sim::PinValue::Number));
+    for _ in 0..3 {
+        go(&mut debugger, Direction::Backward, Goal::Into);
+    }
+    go(&mut debugger, Direction::Forward, Goal::End);
+    assert_eq!(debugger.value("V1"), Some(sim::PinValue::Number(42.0)), "done once more on the way");
+}

@@ -49,6 +49,11 @@ pub trait Inspect {
     /// The value of a quantity; `None` if there is none of this name.
     fn value(&self, name: &str, board: &mut dyn Board) -> Option<f64>;
 
+    /// Sets a register of a program that no host can set; false if there is none of this name.
+    fn set_register(&mut self, _name: &str, _value: i32) -> bool {
+        false
+    }
+
     /// Everything that has a value.
     fn quantities(&self) -> Vec<Quantity>;
 }

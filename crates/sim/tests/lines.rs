@@ -1,8 +1,15 @@
 //! Programs whose lines a debugger lets through one by one: everything happens as if nobody looked.
 
 use ascript::compiler::compile;
-use devices::Language;
-use sim::{DeviceConfig, Program, SharedFlash, TimedInput, VirtualDevice, run, tape::Log};
+use devices::{AxisState, Drive, Language};
+use motion::Train;
+use sim::{
+    DeviceConfig, Program, Scenario, SharedFlash, TimedInput, VirtualDevice,
+    fault::scenario::no_source,
+    record::{Mark, Note, RecordError, Recorder},
+    run,
+    tape::Log,
+};
 use std::{
     fs,
     io::Write,
@@ -122,5 +129,105 @@ fn the_examples() {
             let source = fs::read_to_string(entry.unwrap().path()).unwrap();
             check(model, &source, &["0.3:DI1=true"], 1.0);
         }
+    }
+}
+
+/// Takes down when a fault begins.
+#[derive(Clone, Default)]
+struct Begin(Arc<Mutex<Option<u64>>>);
+
+impl Recorder for Begin {
+    fn train(&mut self, _axis: usize, _train: &Train) {}
+
+    fn drive(&mut self, _at: u64, _axis: usize, _drive: Drive) {}
+
+    fn pin(&mut self, _at: u64, _pin: usize, _level: i32) {}
+
+    fn mark(&mut self, _at: u64, _axis: usize, _mark: Mark) {}
+
+    fn note(&mut self, at: u64, note: Note, _text: &str) {
+        if note == Note::Fault {
+            *self.0.lock().unwrap() = Some(at);
+        }
+    }
+
+    fn sample(&mut self, _at: u64, _axis: usize, _state: &AxisState) {}
+
+    fn finish(&mut self, _at: u64) -> Result<(), RecordError> {
+        Ok(())
+    }
+}
+
+/// When a program first stands before an address, of a device that is looked at line by line.
+fn arrival(model: &str, program: &Program, number: Option<u8>, address: u16) -> u64 {
+    let mut device = VirtualDevice::new(&DeviceConfig::new(devices::model(model).unwrap()), 1);
+    run::load(&mut device, program).unwrap();
+    run::start(&mut device, program).unwrap();
+    let end = device.now() + device.ticks(10.0);
+    while let Some(at) = device.advance_to_line(end, false) {
+        if number.is_none_or(|number| usize::from(number) == at) && device.address(at) == Some(address) {
+            return device.now();
+        }
+        device.execute_line();
+    }
+    panic!("it does not come there");
+}
+
+/// A fault that waits for an address begins before it, in its clock, however time is cut into pieces; the value of a
+/// variable that is set there from a pin tells that.
+#[track_caller]
+fn begins(model: &str, source: &str, (program, address): (Option<u8>, u16), pin: &str, variable: &str) {
+    let code = self::program(model, source);
+    let expected = arrival(model, &code, program, address);
+    let on = match program {
+        Some(number) => format!("{{ address = {address}, program = {number} }}"),
+        None => format!("{{ address = {address} }}"),
+    };
+    let scenario = format!("[[fault]]\non = {on}\nkind = \"stuck_switch\"\npin = \"{pin}\"\nvalue = true\n");
+    let config = DeviceConfig::new(devices::model(model).unwrap());
+    let scenario = Scenario::parse(&scenario, "s", std::slice::from_ref(&config), &no_source).unwrap();
+    for (piece_s, gated) in [(10.0, false), (0.000_37, false), (10.0, true)] {
+        let mut device = VirtualDevice::new(&config, 1);
+        run::load(&mut device, &code).unwrap();
+        device.plan(&scenario.faults[0].1).unwrap();
+        let begin = Begin::default();
+        device.add_recorder(Box::new(begin.clone()));
+        run::start(&mut device, &code).unwrap();
+        let end = device.now() + device.ticks(2.0);
+        while device.now() < end {
+            let until = (device.now() + device.ticks(piece_s)).min(end);
+            if !gated {
+                device.advance(until);
+            } else if device.advance_to_line(until, false).is_some() {
+                device.execute_line();
+            }
+        }
+        device.release_lines();
+        let begun = *begin.0.lock().unwrap();
+        assert_eq!(begun, Some(expected), "{model}, {piece_s}, {gated}");
+        let value = device.value(variable).unwrap();
+        assert_eq!(value, sim::PinValue::Number(1.0), "{model}, {piece_s}, {gated}");
+    }
+}
+
+#[test]
+fn faults_begin_before_a_line() {
+    // After rounds that are left out, and a wait.
+    let tmcl =
+        "l: GIO 10, 0\nGGP 132, 0\nCOMP 300\nJC LT, l\nWAIT TICKS, 0, 20\nGAP 10, 0\nAGP 1, 2\ne: JA e\n";
+    begins("pd42-1140", tmcl, (None, 5), "STOP_R", "V1");
+    begins("pd42-1140", tmcl, (Some(0), 5), "STOP_R", "V1");
+    // What follows a wait without a command between.
+    begins("pd42-1140", "WAIT TICKS, 0, 20\nGAP 10, 0\nAGP 1, 2\ne: JA e\n", (None, 1), "STOP_R", "V1");
+    // Two programs, one of which waits for the other in a loop.
+    let source = "PRG 0\nWHILE V2=0\nENDWHILE\nV1=DI1\nWHILE 1=1\nENDWHILE\nEND\n\
+                  PRG 1\nDELAY=777\nV3=0\nV2=1\nEND\n";
+    for model in ["pmx-2ed", "cmd-4cr"] {
+        let Language::Ascript(dialect) = devices::model(model).unwrap().language else { unreachable!() };
+        let map = compile("a.prg", source.as_bytes(), dialect).code.unwrap().map;
+        let at = |line: usize| map.iter().position(|other| *other == line).unwrap() as u16;
+        begins(model, source, (Some(0), at(4)), "DI1", "V1");
+        begins(model, source, (Some(1), at(10)), "DI1", "V1");
+        begins(model, source, (None, at(10)), "DI1", "V1");
     }
 }

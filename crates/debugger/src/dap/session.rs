@@ -5,7 +5,7 @@ use super::{
     messages::{
         Breakpoints, Event, Expression, Launch, OfSource, OfThread, OfVariables, Request, Response, Wanted,
     },
-    variables::{scopes, variables},
+    variables::{register, scopes, variables},
 };
 use crate::{
     Debugger, Direction, Goal, Stop,
@@ -133,9 +133,10 @@ impl<W: Write, L: FnMut(&Launch) -> Result<Debugger, String>> Session<W, L> {
             "setDataBreakpoints" => self.watch(&arguments(request)?),
             "setExceptionBreakpoints" => done(Value::Null),
             "dataBreakpointInfo" => {
-                let OfVariables { name, .. } = arguments(request)?;
-                let known = debugger.value(&name).is_some();
-                let id = if known { json!(name) } else { Value::Null };
+                let OfVariables { name, variables_reference, .. } = arguments(request)?;
+                let register = register(debugger, variables_reference, &name);
+                let known = register.filter(|name| debugger.value(name).is_some());
+                let id = known.map_or(Value::Null, |name| json!(name));
                 done(json!({ "dataId": id, "description": name, "accessTypes": ["write"] }))
             }
             "threads" => done(threads(debugger)),
@@ -149,7 +150,9 @@ impl<W: Write, L: FnMut(&Launch) -> Result<Debugger, String>> Session<W, L> {
                 done(variables(debugger, variables_reference))
             }
             "setVariable" => {
-                let OfVariables { name, value, .. } = arguments(request)?;
+                let OfVariables { name, value, variables_reference } = arguments(request)?;
+                let register = register(debugger, variables_reference, &name);
+                let name = register.ok_or_else(|| format!("`{name}` of an axis cannot be set"))?;
                 debugger.set(&name, &value).map_err(|error| error.to_string())?;
                 let value = debugger.value(&name).map(show).unwrap_or(value);
                 done(json!({ "value": value }))

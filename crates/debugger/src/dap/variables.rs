@@ -1,7 +1,7 @@
 //! What the editor shows beside the source: scopes and what is in them.
 
 use crate::{Debugger, stop::show};
-use devices::inspect::Scope;
+use devices::{Language, inspect::Scope};
 use serde_json::{Value, json};
 
 /// What is on pins.
@@ -31,6 +31,20 @@ pub fn scopes(debugger: &mut Debugger) -> Value {
         json!({ "name": name, "variablesReference": number, "expensive": expensive })
     });
     json!({ "scopes": all.collect::<Vec<_>>() })
+}
+
+/// What a thing in a scope is called everywhere: what an axis shows is in registers of its device.
+pub fn register(debugger: &mut Debugger, reference: usize, name: &str) -> Option<String> {
+    let Some(axis) = reference.checked_sub(FIRST_AXIS) else { return Some(name.to_owned()) };
+    let axis = *debugger.device().axes().get(axis)?;
+    match (debugger.target().config.model.language, name) {
+        (Language::Tmcl, "position") => Some("APActualPosition".into()),
+        (Language::Tmcl, "encoder") => Some("APEncoderPosition".into()),
+        (Language::Tmcl, "target") => Some("APTargetPosition".into()),
+        (Language::Ascript(_), "position") => Some(format!("P{axis}")),
+        (Language::Ascript(_), "encoder") => Some(format!("E{axis}")),
+        _ => None,
+    }
 }
 
 /// What is in a scope, or in an axis.
@@ -66,7 +80,11 @@ pub fn variables(debugger: &mut Debugger, reference: usize) -> Value {
             ("status", state.status.to_string()),
             ("steps", state.steps.to_string()),
         ] {
-            all.push(json!({ "name": name, "value": value, "variablesReference": 0 }));
+            let mut shown = json!({ "name": name, "value": value, "variablesReference": 0 });
+            if let Some(quantity) = register(debugger, reference, name) {
+                shown["evaluateName"] = quantity.into();
+            }
+            all.push(shown);
         }
     }
     json!({ "variables": all })

@@ -49,6 +49,16 @@ impl<F: Flash> Inspect for Pd42<F> {
         Some(value.into())
     }
 
+    fn set_register(&mut self, name: &str, value: i32) -> bool {
+        match name {
+            ACCUMULATOR => self.vm.set_accumulator(value),
+            X => self.vm.set_x(value),
+            _ => return false,
+        }
+        self.program.forget_rounds();
+        true
+    }
+
     fn quantities(&self) -> Vec<Quantity> {
         let registers = [(ACCUMULATOR, "The accumulator."), (X, "The X register.")].into_iter();
         let conditions =

@@ -17,7 +17,7 @@ use crate::{
     record::Note,
     tape::Act,
 };
-use devices::{PinKind, Port, ProgramRun, ProgramState};
+use devices::{PinKind, Port};
 use motion::Ticks;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,36 +31,6 @@ pub(super) struct Faults {
     effects: Effects,
     /// When something is looked for next that nobody tells of; `None` if there is no such thing.
     look_at: Option<Ticks>,
-    /// The programs in the last look.
-    programs: Vec<Glance>,
-}
-
-/// A program in a look.
-#[derive(Clone, Copy, Debug)]
-struct Glance {
-    state: ProgramState,
-    /// For how many looks it has been at this command.
-    still: u32,
-}
-
-impl Glance {
-    /// A program that is at a command for more looks than one takes is waiting there.
-    const WAITS: u32 = 3;
-
-    fn next(self, state: ProgramState) -> Self {
-        let is_still = self.state.counter == state.counter;
-        Self { state, still: if is_still { self.still.saturating_add(1) } else { 0 } }
-    }
-
-    /// Whether it has come to an address since the look before. What follows a command that waits is executed
-    /// in the clock in which the wait is over: nobody sees it stand there.
-    fn reaches(self, before: Self, address: u32) -> bool {
-        let stands = self.state.run == ProgramRun::Running && self.state.counter == address;
-        let went_on = before.still >= Self::WAITS
-            && self.state.counter != before.state.counter
-            && self.state.instructions > before.state.instructions;
-        stands || went_on && address == before.state.counter + 1
-    }
 }
 
 /// A fault to come.
@@ -131,14 +101,7 @@ impl Faults {
     /// None at all.
     pub fn none(parts: &Parts) -> Self {
         let effects = Effects::none(parts);
-        Self {
-            made: 0,
-            waiting: Vec::new(),
-            active: Vec::new(),
-            effects,
-            look_at: None,
-            programs: Vec::new(),
-        }
+        Self { made: 0, waiting: Vec::new(), active: Vec::new(), effects, look_at: None }
     }
 
     /// How much more an axis is loaded.
@@ -154,6 +117,11 @@ impl Faults {
         });
         let end = self.active.iter().map(|active| active.ends);
         begin.chain(end).chain(self.look_at).min().unwrap_or(Ticks::MAX)
+    }
+
+    /// Whether a fault waits for a line of a program.
+    pub fn wait_for_lines(&self) -> bool {
+        self.waiting.iter().any(|waiting| matches!(waiting.until, Until::Address { .. }))
     }
 
     /// Whether a fault waits for a message.
@@ -269,13 +237,12 @@ impl VirtualDevice {
         while self.tend_one(is_look) {}
         let needs_looks =
             self.faults.waiting.iter().any(|waiting| match (&waiting.until, &waiting.planned.trigger) {
-                (Until::Motion { .. } | Until::Address { .. }, _) => true,
+                (Until::Motion { .. }, _) => true,
                 (Until::Trap, Trigger::Pin { pin, .. }) => self.is_driven(pin),
                 _ => false,
             });
         if !needs_looks {
             self.faults.look_at = None;
-            self.faults.programs.clear();
         } else if is_look || self.faults.look_at.is_none() {
             self.faults.look_at = Some(next_look(now, self.clock_hz));
         }
@@ -368,18 +335,6 @@ impl VirtualDevice {
     /// Looks for what nobody tells of.
     fn look(&mut self) {
         let movements: Vec<_> = (0..self.axes().len()).map(|axis| self.movement_of(axis)).collect();
-        let states: Vec<_> = self.programs().collect();
-        let before = std::mem::take(&mut self.faults.programs);
-        // In the first look they have been where they are.
-        let before = if before.len() == states.len() {
-            before
-        } else {
-            states.iter().map(|state| Glance { state: *state, still: 0 }).collect()
-        };
-        let now: Vec<_> = before.iter().zip(states).map(|(before, state)| before.next(state)).collect();
-        let reaches = |number: usize, address: u32| {
-            now.get(number).is_some_and(|program| program.reaches(before[number], address))
-        };
         self.release(|waiting| match &mut waiting.until {
             Until::Motion { axis, motion, was_moving, odometer } => {
                 let (turns, reached) = movements[*axis];
@@ -390,13 +345,23 @@ impl VirtualDevice {
                     Motion::Stops => was && !moves,
                 }
             }
-            Until::Address { program: Some(number), address } => reaches(usize::from(*number), *address),
-            Until::Address { program: None, address } => {
-                (0..now.len()).any(|number| reaches(number, *address))
-            }
             _ => false,
         });
-        self.faults.programs = now;
+    }
+
+    /// A line of a program is about to be executed: faults that waited for it begin. Whether there was one.
+    pub(super) fn release_at_line(&mut self, program: usize, line: u32) -> bool {
+        let mut any = false;
+        self.release(|waiting| {
+            let is_it = matches!(waiting.until, Until::Address { program: of, address }
+                if address == line && of.is_none_or(|of| usize::from(of) == program));
+            any |= is_it;
+            is_it
+        });
+        if any {
+            self.tend_faults();
+        }
+        any
     }
 
     /// What these faults waited for has happened.

@@ -4,6 +4,7 @@
 //! looked at is held in the middle of its clock, with all done that comes before it and nothing that comes after.
 
 use super::{MAX_STANDSTILL, PinValue, VirtualDevice, pins};
+use crate::tape::Act;
 use devices::{
     Lines,
     inspect::{Inspect, Quantity},
@@ -79,13 +80,60 @@ impl VirtualDevice {
         value.map(PinValue::Number).or_else(|| pin().map(level))
     }
 
+    /// Sets a register of a program that no host can set; false if there is none of this name, or no supply.
+    pub fn set_register(&mut self, name: &str, value: i32) -> bool {
+        let set = self.is_powered && self.controller.inspect().is_some_and(|it| it.set_register(name, value));
+        if set {
+            self.tell_tape(|| Act::Register(name.into(), value));
+        }
+        set
+    }
+
     /// Every quantity of the controller that has a value, pins left out.
     pub fn quantities(&mut self) -> Vec<Quantity> {
         self.controller.inspect().map(|it| it.quantities()).unwrap_or_default()
     }
 
+    /// Lets time pass until `now`, or the first change of an input before it. While a fault waits for a line of a
+    /// program, each line is held until it is known whether this is the one: a fault begins before it, in its clock.
+    /// Lines take time, and there are so many faults at most: that ends it.
+    pub(super) fn step(&mut self, now: Ticks) {
+        let mut lines = Lines::None;
+        loop {
+            let watches = self.is_powered && self.faults.wait_for_lines();
+            let is_ours = watches && !self.gated;
+            if is_ours {
+                self.allow(lines);
+            }
+            self.step_to_line(now);
+            let is_held = watches && self.is_held();
+            let has_begun = is_held && self.reach_line();
+            if is_ours {
+                self.allow(Lines::Any);
+            }
+            if !is_ours || !is_held {
+                return;
+            }
+            // What has begun may have put another line in the place of this one.
+            lines = if has_begun { Lines::None } else { Lines::One };
+        }
+    }
+
+    /// Faults that wait for the line that is held begin. Whether there was one.
+    fn reach_line(&mut self) -> bool {
+        let line = self.controller.inspect().and_then(|it| {
+            let (_, program) = it.next_program()?;
+            Some((program, it.address(program)?))
+        });
+        line.is_some_and(|(program, address)| self.release_at_line(program, address.into()))
+    }
+
     fn gate(&mut self, lines: Lines) {
         self.gated = true;
+        self.allow(lines);
+    }
+
+    fn allow(&mut self, lines: Lines) {
         if let Some(it) = self.controller.inspect() {
             it.gate().allow(lines);
         }

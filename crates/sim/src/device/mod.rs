@@ -560,13 +560,13 @@ impl VirtualDevice {
         arrived.iter().for_each(|bytes| self.hear(port, bytes));
     }
 
-    /// Goes to device time `now`, or to the first change of an input before it.
-    fn step(&mut self, now: Ticks) {
+    /// Goes to device time `now`, to the first change of an input before it, or to a line that is held.
+    fn step_to_line(&mut self, now: Ticks) {
         if self.is_powered {
             // Less than was asked for where a shaft has come to the edge of its window.
             let clock = self.controller.advance(now - self.world.origin, &mut self.world);
             self.world.set_clock(clock);
-            if self.gated && self.is_held() {
+            if (self.gated || self.faults.wait_for_lines()) && self.is_held() {
                 return;
             }
             self.world.settle_contacts();

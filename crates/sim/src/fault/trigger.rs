@@ -5,8 +5,8 @@ use crate::{config::MAX_PULSES, tape::PortName};
 use devices::Port;
 use serde::{Deserialize, Serialize};
 
-/// How often a device looks, a second, for what nobody tells it of: pins that the controller drives, axes that
-/// start and stop, and programs. No command of a program takes less time than passes between two looks.
+/// How often a device looks, a second, for what nobody tells it of: pins that the controller drives, and axes that
+/// start and stop. No command of a program takes less time than passes between two looks.
 pub const LOOKS_PER_SECOND: u64 = 20_000;
 
 /// What begins a fault. It happens once: the first time after the fault was planned.
@@ -35,7 +35,7 @@ pub enum Trigger {
         /// Which of both.
         motion: Motion,
     },
-    /// A program comes to an address.
+    /// A program comes to an address: it has not executed what is there.
     Address {
         /// The program; `None` is any.
         program: Option<u8>,
@@ -137,7 +137,7 @@ pub const TRIGGERS: &[TriggerRow] = &[
     TriggerRow {
         needs: &["address"],
         may: &["program"],
-        text: "A program comes to the address of a TMCL command, or to the number of a compiled line.",
+        text: "A program comes to the address of a TMCL command, or to the number of a compiled line: before it is executed.",
     },
     TriggerRow {
         needs: &["line"],

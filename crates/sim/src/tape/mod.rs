@@ -127,6 +127,8 @@ pub enum Act {
     Pin(String, Option<PinValue>),
     /// An input is planned to change at a clock.
     Plan(Ticks, String, Option<PinValue>),
+    /// A debugger sets a register of a program.
+    Register(String, i32),
     /// The load of an axis changes.
     Load(String, f64),
     /// Switches of an axis are moved.

@@ -145,6 +145,11 @@ pub fn perform(device: &mut VirtualDevice, act: &Act) -> Result<(), String> {
         Act::Plan(at, pin, value) => {
             device.schedule(*at, &Input { pin: pin.clone(), value: *value }).map_err(text)?;
         }
+        Act::Register(name, value) => {
+            if !device.set_register(name, *value) {
+                return Err(format!("no register `{name}` can be set"));
+            }
+        }
         Act::Load(axis, load) => device.set_load(axis, *load).map_err(text)?,
         Act::Switches(axis, switches) => device.move_switches(axis, switches).map_err(text)?,
         Act::Push(axis, distance) => device.push(axis, *distance).map_err(text)?,

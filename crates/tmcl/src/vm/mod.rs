@@ -231,6 +231,16 @@ impl Vm {
         self.registers.x
     }
 
+    /// Sets the accumulator, as nobody but a debugger can.
+    pub const fn set_accumulator(&mut self, value: i32) {
+        self.registers.accumulator = value;
+    }
+
+    /// Sets the X register.
+    pub const fn set_x(&mut self, value: i32) {
+        self.registers.x = value;
+    }
+
     /// The address of the command that is executed next, or now.
     pub const fn counter(&self) -> u16 {
         self.counter
