@@ -56,6 +56,7 @@ pub(crate) struct Summary {
     /// Its maker's name and what it is.
     pub title: &'static str,
     /// The names of its axes, in its own order.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pub axes: &'static [&'static str],
     /// Whether it is in this process or elsewhere.
     #[ts(type = "\"virtual\" | \"real\"")]
