@@ -1,8 +1,6 @@
 //! The lines of a PMX-2ED-SA on every endpoint, buses, and its state over HTTP.
 
-mod common;
-
-use common::{
+use crate::common::{
     Serial, call, check, commander, connect, directory, eventually, free_address, performax, serve,
     serve_http,
 };

@@ -1,8 +1,6 @@
 //! Breakpoints over HTTP, in real time.
 
-mod common;
-
-use common::{call, connect, device, eventually, serve_http};
+use crate::common::{call, connect, device, eventually, serve_http};
 use protocol::tmcl::{Frame, Reply, Request};
 use serde_json::{Value, json};
 use sim::DeviceConfig;

@@ -1,6 +1,6 @@
 //! A PD42-1140.
 
-use crate::stand::{RUNTIME, Stand, device, targets};
+use super::stand::{RUNTIME, Stand, device, targets};
 use host::{Action, Code, Direction, Error, Level, Model, ProgramAction, ProgramState, Value};
 use tmcl::asm::{NoFiles, assemble};
 

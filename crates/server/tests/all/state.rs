@@ -1,8 +1,6 @@
 //! Flash images on disk.
 
-mod common;
-
-use common::{check, connect, device, directory, eventually, settings};
+use crate::common::{check, connect, device, directory, eventually, settings};
 use server::{Server, Settings};
 use std::{fs, path::Path};
 

@@ -1,6 +1,7 @@
 //! The WebSocket that says what a controller is doing.
 
-use crate::{Rig, common::eventually};
+use super::Rig;
+use crate::common::eventually;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 

@@ -1,8 +1,5 @@
 //! Virtual controllers as a host sees them: everything through the bytes of a TCP connection.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod commander;
 mod performax;
 mod stand;

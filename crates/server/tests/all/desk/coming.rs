@@ -1,9 +1,7 @@
 //! Controllers that come and go while the server runs.
 
-use crate::{
-    Rig, call,
-    common::{check, connect, directory, eventually, free_address, performax, settings},
-};
+use super::Rig;
+use crate::common::{call, check, connect, directory, eventually, free_address, performax, settings};
 use serde_json::{Value, json};
 use server::{HttpSettings, Server, Settings, Token};
 
@@ -111,7 +109,7 @@ fn benches_that_are_wrong() {
 fn what_is_in_flash_is_on_disk() {
     let state = directory();
     let start = || {
-        let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(crate::TOKEN).unwrap()));
+        let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(crate::common::TOKEN).unwrap()));
         let all = Settings { http, state: Some(state.clone()), ..settings(vec![]) };
         let server = Server::start(all).unwrap();
         let address = server.url().unwrap().strip_prefix("http://").unwrap().split('/').next().unwrap();

@@ -1,6 +1,6 @@
 //! A PMX-2ED-SA.
 
-use crate::stand::{RUNTIME, Stand, device, targets};
+use super::stand::{RUNTIME, Stand, device, targets};
 use ascript::{compile, dialect::PERFORMAX_2};
 use host::{Action, Code, Direction, Key, Level, Model, ProgramAction, ProgramState, Value};
 

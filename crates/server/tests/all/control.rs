@@ -1,8 +1,6 @@
 //! What needs control while somebody has it, and what does not: every route there is.
 
-mod common;
-
-use common::{TOKEN, call, performax, raw, serve_http};
+use crate::common::{TOKEN, call, performax, raw, serve_http};
 use serde_json::{Value, json};
 use std::net::SocketAddr;
 

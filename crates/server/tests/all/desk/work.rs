@@ -1,6 +1,7 @@
 //! What one does with a controller: jog, move, stop, home, clear errors, type commands.
 
-use crate::{Rig, common::eventually};
+use super::Rig;
+use crate::common::eventually;
 use serde_json::json;
 
 /// The models, with an axis of each and commands of its wire: one that reads its position, one that is none.

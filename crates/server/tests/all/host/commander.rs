@@ -1,6 +1,6 @@
 //! A CMD-4CR: what it has that a PMX-2ED-SA has not.
 
-use crate::stand::{RUNTIME, Stand, device, targets};
+use super::stand::{RUNTIME, Stand, device, targets};
 use ascript::{compile, dialect::COMMANDER};
 use host::{Action, Code, Direction, Level, Model, ProgramAction, ProgramState, Value};
 

@@ -1,7 +1,7 @@
 //! Wires themselves: buses with several controllers on them, terminals, and what goes wrong.
 
+use super::stand::{RUNTIME, Stand, bus, device, how, serve};
 use crate::common::{PATIENCE, directory, free_address};
-use crate::stand::{RUNTIME, Stand, bus, device, how, serve};
 use host::{Action, Bus, Controller, End, Error, Found, Model, Pending, Value, Wire, WireError, find};
 use std::time::Duration;
 use tokio::{

@@ -2,15 +2,13 @@
 
 mod catalog;
 mod coming;
-#[path = "../common/mod.rs"]
-mod common;
 mod held;
 mod live;
 mod parameters;
 mod programs;
 mod work;
 
-use common::{TOKEN, call, connect_ws, eventually, serve_http};
+use crate::common::{TOKEN, call, connect_ws, eventually, serve_http};
 use serde_json::Value;
 use server::Server;
 use sim::DeviceConfig;

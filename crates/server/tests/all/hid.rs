@@ -1,8 +1,8 @@
 //! Reports of USB HID over TCP and Unix sockets, spoken as the vendor's library does.
 
-mod common;
-
-use common::{PATIENCE, call, check, connect, device, directory, free_address, performax, serve, serve_http};
+use crate::common::{
+    PATIENCE, call, check, connect, device, directory, free_address, performax, serve, serve_http,
+};
 use protocol::hid::{ApiError, Exchange, Packet};
 use server::Server;
 use std::{
@@ -55,7 +55,7 @@ fn open_unix(path: &Path) -> Handle<UnixStream> {
 }
 
 fn refused(devices: Vec<sim::DeviceConfig>) -> String {
-    Server::start(common::settings(devices)).err().expect("refused").to_string()
+    Server::start(crate::common::settings(devices)).err().expect("refused").to_string()
 }
 
 /// What is the same on both kinds of endpoint.

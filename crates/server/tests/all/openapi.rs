@@ -1,8 +1,6 @@
 //! The document and the routes say the same.
 
-mod common;
-
-use common::{call, device, serve_http};
+use crate::common::{call, device, serve_http};
 use serde_json::Value;
 use std::{fs, path::Path};
 

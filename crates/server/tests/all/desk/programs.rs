@@ -1,6 +1,7 @@
 //! Programs: compiled, down and up, run.
 
-use crate::{Rig, common::eventually};
+use super::Rig;
+use crate::common::eventually;
 use serde_json::{Value, json};
 
 /// The models, with a program that counts in its first variable, one that is wrong in its second line, and the

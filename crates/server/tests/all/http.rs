@@ -1,8 +1,6 @@
 //! The HTTP interface, call by call.
 
-mod common;
-
-use common::{PATIENCE, TOKEN, call, device, eventually, performax, serve_http};
+use crate::common::{PATIENCE, TOKEN, call, device, eventually, performax, serve_http};
 use serde_json::{Value, json};
 use std::{
     net::TcpStream,
@@ -245,7 +243,8 @@ fn a_scenario_begins_with_the_server() {
     let scenario = sim::Scenario::parse(text, "test", &devices, &sim::fault::scenario::no_source).unwrap();
     let http = Some(server::HttpSettings::new("127.0.0.1:0", server::Token::chosen(TOKEN).unwrap()));
     let server =
-        server::Server::start(server::Settings { http, scenario, ..common::settings(devices) }).unwrap();
+        server::Server::start(server::Settings { http, scenario, ..crate::common::settings(devices) })
+            .unwrap();
     let address = server.url().unwrap().split(['/', '?']).nth(2).unwrap().parse().unwrap();
     let level = |name: &str| call(address, "GET", &format!("/api/devices/{name}/pins/IN"), "").1;
     assert_eq!((level("a"), level("b")), (json!(false), json!(true)));

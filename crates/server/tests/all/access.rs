@@ -1,8 +1,6 @@
 //! Who may do what over HTTP, and how much of it.
 
-mod common;
-
-use common::{PATIENCE, TOKEN, call, device, eventually, exchange, raw, serve_http};
+use crate::common::{PATIENCE, TOKEN, call, device, eventually, exchange, raw, serve_http};
 use serde_json::{Value, json};
 use server::{HttpSettings, Server, Settings, Tls, Token};
 use std::{
@@ -255,7 +253,7 @@ fn heads_and_bodies_are_limited() {
 }
 
 fn with_http(http: HttpSettings) -> Result<Server, server::Error> {
-    Server::start(Settings { http: Some(http), ..common::settings(vec![device("a", &[])]) })
+    Server::start(Settings { http: Some(http), ..crate::common::settings(vec![device("a", &[])]) })
 }
 
 fn token() -> Token {

@@ -1,6 +1,6 @@
 //! Parameters: every one of them, written, stored, restored.
 
-use crate::Rig;
+use super::Rig;
 use serde_json::json;
 
 /// The models, each with a parameter that is stored, its default, and one that is not.
@@ -13,7 +13,7 @@ fn all_can_be_read_that_the_catalog_names() {
     for (model, ..) in MODELS {
         let values = rig.get(&format!("{model}/parameters"));
         let values = values.as_object().unwrap();
-        let (_, catalog) = crate::call(rig.address, "GET", &format!("/api/models/{model}"), "");
+        let (_, catalog) = crate::common::call(rig.address, "GET", &format!("/api/models/{model}"), "");
         let mut readable = 0;
         for parameter in catalog["parameters"].as_array().unwrap() {
             let (id, is_text) = (parameter["id"].as_str().unwrap(), parameter["is_text"] == true);

@@ -1,5 +1,4 @@
 //! A device that says back what it hears, so that the server is tested without a real controller's rules.
-#![allow(dead_code, reason = "every test binary uses its own part")]
 
 use devices::{
     AxisState, Board, Controller, Model, Pin, PinKind, Port, ProgramRun, ProgramState, Wiring,

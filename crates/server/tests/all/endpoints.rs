@@ -1,8 +1,6 @@
 //! What clients of TCP, pseudo-terminals, CAN adapters and buses see.
 
-mod common;
-
-use common::{Serial, check, connect, device, directory, eventually, free_address, serve};
+use crate::common::{Serial, check, connect, device, directory, eventually, free_address, serve};
 use rustix::termios::{LocalModes, OptionalActions, OutputModes};
 use std::{
     fs,
@@ -181,7 +179,8 @@ fn an_idle_terminal_costs_nothing() {
 fn links_are_replaced_only_if_they_are_dead() {
     let directory = directory();
     let attempt = |name: &str| {
-        let settings = common::settings(vec![device("a", &[&format!("pty:{}/{name}", directory.display())])]);
+        let settings =
+            crate::common::settings(vec![device("a", &[&format!("pty:{}/{name}", directory.display())])]);
         server::Server::start(settings).map_err(|error| error.to_string())
     };
     symlink("/nowhere/at/all", directory.join("dangling")).unwrap();
@@ -207,7 +206,8 @@ fn an_address_in_use_is_an_error() {
     let taken = std::net::TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap();
     let _listener = std::net::TcpListener::bind(taken).unwrap();
     let endpoint = format!("tcp:{taken}");
-    let error =
-        server::Server::start(common::settings(vec![device("a", &[&endpoint])])).err().expect("refused");
+    let error = server::Server::start(crate::common::settings(vec![device("a", &[&endpoint])]))
+        .err()
+        .expect("refused");
     assert!(error.to_string().starts_with(&format!("{endpoint}: ")), "{error}");
 }

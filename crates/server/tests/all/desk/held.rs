@@ -1,9 +1,7 @@
 //! Jogs that are held: they go on while somebody says so, and no longer.
 
-use crate::{
-    Rig, call,
-    common::{TOKEN, commander, connect, connect_ws, eventually, free_address, serve},
-};
+use super::Rig;
+use crate::common::{TOKEN, call, commander, connect, connect_ws, eventually, free_address, serve};
 use serde_json::{Value, json};
 use std::{
     io::{BufRead, BufReader, Write},

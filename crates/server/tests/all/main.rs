@@ -1,0 +1,14 @@
+//! One program for all tests of the server: each of its own would be linked with the whole server again.
+
+mod access;
+mod common;
+mod control;
+mod debug;
+mod desk;
+mod endpoints;
+mod hid;
+mod host;
+mod http;
+mod openapi;
+mod performax;
+mod state;
