@@ -42,8 +42,9 @@ pub struct Event<'a> {
     pub body: Value,
 }
 
-/// What a launch configuration says.
+/// What a launch configuration says; `editors/vscode/package.json` has the same.
 #[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(test, derive(serde::Serialize))]
 #[serde(rename_all = "camelCase")]
 pub struct Launch {
     /// The program: a source or machine code.
@@ -133,4 +134,38 @@ pub struct Expression {
     #[serde(alias = "text")]
     pub expression: String,
     pub context: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{Map, Value};
+
+    #[test]
+    fn the_extension_of_vs_code_offers_what_a_launch_takes() {
+        let package = include_str!("../../../../editors/vscode/package.json");
+        let contributes = &serde_json::from_str::<Value>(package).unwrap()["contributes"];
+        let launch = &contributes["debuggers"][0]["configurationAttributes"]["launch"];
+
+        let least: Launch = serde_json::from_str(r#"{ "program": "", "device": "" }"#).unwrap();
+        let all: Map<String, Value> = serde_json::from_value(serde_json::to_value(least).unwrap()).unwrap();
+        let offered = launch["properties"].as_object().unwrap();
+        assert!(offered.keys().eq(all.keys()), "{:?}, {:?}", offered.keys(), all.keys());
+        for key in all.keys() {
+            let mut without = all.clone();
+            without.remove(key);
+            let is_needed = serde_json::from_value::<Launch>(without.into()).is_err();
+            assert_eq!(
+                launch["required"].as_array().unwrap().contains(&Value::from(&**key)),
+                is_needed,
+                "{key}"
+            );
+        }
+
+        let mut models: Vec<_> = devices::MODELS.iter().map(|model| model.name).collect();
+        assert_eq!(offered["device"]["enum"], Value::from(models.clone()));
+        models.insert(0, "");
+        let setting = &contributes["configuration"]["properties"]["pulsetrain.model"];
+        assert_eq!(setting["enum"], Value::from(models));
+    }
 }
