@@ -3,6 +3,7 @@
 import csv
 import pathlib
 import subprocess
+import sys
 
 import duckdb
 import pandas
@@ -13,6 +14,8 @@ from server import PROGRAM
 
 ROOT = pathlib.Path(__file__).parents[1]
 PULSES = 80_000
+# How much more memory a recording of five times the length may take.
+GROWTH_KIB = 4096
 
 pytestmark = pytest.mark.server_only
 
@@ -76,3 +79,38 @@ def test_a_plot_of_each_is_a_picture(recordings, tmp_path):
             picture = tmp_path / f"{kind}.{extension}"
             subprocess.run([PROGRAM, "plot", file, "-o", picture], check=True)
             assert picture.read_bytes().startswith(magic)
+
+
+# A process begins with the memory of the one that starts it, which is why that is a small one.
+MEASURE = """
+import os, sys
+process = os.posix_spawn(sys.argv[1], sys.argv[1:], os.environ)
+_, status, usage = os.wait4(process, 0)
+print(usage.ru_maxrss)
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+
+
+def peak_kib(*arguments):
+    """The most memory that the program had while it ran."""
+    command = [sys.executable, "-I", "-S", "-c", MEASURE, PROGRAM, *arguments]
+    output = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+    return int(output.split()[-1]) // (1024 if sys.platform == "darwin" else 1)
+
+
+@pytest.mark.parametrize("kind", ["csv", "parquet", "vcd", "mcap", "png", "svg"])
+def test_memory_does_not_grow_with_the_length(kind, tmp_path):
+    program = ROOT / "examples/tmcl/endless_moves.tmc"
+    option = "--plot" if kind in ("png", "svg") else "--record"
+
+    def peak(seconds):
+        file = tmp_path / f"{seconds}.{kind}"
+        used = peak_kib("run", program, "--device", "pd42-1140", "--for", f"{seconds}", option, file)
+        size = file.stat().st_size
+        file.unlink()
+        return used, size
+
+    (shorter, size), (longer, longer_size) = peak(10), peak(50)
+    assert longer < shorter + GROWTH_KIB
+    # What is drawn has as many points in the end.
+    assert option == "--plot" or longer_size > 4 * size
