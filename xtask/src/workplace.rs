@@ -29,10 +29,6 @@ impl Workplace {
     pub fn command(&self, program: impl AsRef<Path>, arguments: &[&str]) -> Command {
         let mut command = Command::new(program.as_ref());
         command.args(arguments).current_dir(&self.root).env("PATH", self.path());
-        if env::var_os("CI").is_some() {
-            // What helps the next build costs this one time, and there is no next one.
-            command.env("CARGO_INCREMENTAL", "0");
-        }
         command
     }
 
