@@ -129,9 +129,12 @@ impl<const AXES: usize> Plan<'_, AXES> {
 
     /// Queues an event; false if there is no room.
     pub(crate) fn push_event(&mut self, event: Event) -> bool {
-        let queued = self.events.enqueue(event).is_ok();
-        self.order = self.order.wrapping_add(queued.into());
-        queued
+        // Rust 1.95 loses the addition where this is `order.wrapping_add(queued.into())`, without a branch.
+        if self.events.enqueue(event).is_err() {
+            return false;
+        }
+        self.order = self.order.wrapping_add(1);
+        true
     }
 
     /// Whether the player does not know what was queued for this axis or as an event, and has to be kicked.
