@@ -44,8 +44,6 @@ def filled(path, model):
     return path.format(**PLACES, device=model, model=model, axis=axis, pin=pin)
 
 
-# The document says of one virtual controller that its `axes` are a list of names, which is true of the list only.
-@pytest.mark.xfail(reason="the schema of one controller", strict=True)
 @pytest.mark.server_only
 @pytest.mark.parametrize("model", MODELS)
 def test_everything_that_can_be_read_has_the_form_that_is_declared(server, document, model):

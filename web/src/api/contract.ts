@@ -962,7 +962,7 @@ title: string,
 /**
  * The names of its axes, in its own order.
  */
-axes: Array<string>,
+axis_names: Array<string>,
 /**
  * Whether it is in this process or elsewhere.
  */

@@ -236,7 +236,7 @@ class Overview extends LitElement {
           <tr><th>Axis</th><th class="number">Position</th><th class="number">Speed</th><th>State</th></tr>
         </thead>
         <tbody>
-          ${device.axes.flatMap((name) => (status.axes[name] ? [[name, status.axes[name]] as const] : [])).map(
+          ${device.axis_names.flatMap((name) => (status.axes[name] ? [[name, status.axes[name]] as const] : [])).map(
             ([name, axis]: readonly [string, AxisStatus]) => html`
               <tr>
                 <td><strong>${name}</strong></td>

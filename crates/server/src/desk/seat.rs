@@ -56,8 +56,7 @@ pub(crate) struct Summary {
     /// Its maker's name and what it is.
     pub title: &'static str,
     /// The names of its axes, in its own order.
-    #[serde(skip_serializing_if = "<[_]>::is_empty")]
-    pub axes: &'static [&'static str],
+    pub axis_names: &'static [&'static str],
     /// Whether it is in this process or elsewhere.
     #[ts(type = "\"virtual\" | \"real\"")]
     pub kind: &'static str,
@@ -191,7 +190,7 @@ impl Seat {
             name: self.name.clone(),
             model: self.model.name,
             title: self.model.title,
-            axes: self.model.guide.axes,
+            axis_names: self.model.guide.axes,
             kind,
             endpoints,
             link,

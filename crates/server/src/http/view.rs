@@ -18,11 +18,6 @@ pub(crate) struct View {
 impl View {
     /// The controller now.
     pub fn of(seat: &Seat) -> Self {
-        let (mut summary, state) = (seat.summary(), seat.device().map(|unit| unit.state()));
-        if state.is_some() {
-            // The state has them under the same name, with all that they do.
-            summary.axes = &[];
-        }
-        Self { summary, state }
+        Self { summary: seat.summary(), state: seat.device().map(|unit| unit.state()) }
     }
 }

@@ -26,7 +26,7 @@ fn virtual_ones_from_a_bench_file() {
     assert_eq!(status, 201, "{added}");
     let expected = json!([{
         "name": "saw", "model": "cmd-4cr", "title": "Nippon Pulse CMD-4CR, firmware V126BL",
-        "axes": ["X", "Y", "Z", "U"], "kind": "virtual",
+        "axis_names": ["X", "Y", "Z", "U"], "kind": "virtual",
         "endpoints": [endpoint], "link": { "state": "up" }, "removable": true,
     }]);
     assert_eq!(added, expected);

@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,d as r,h as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,w as f,x as p}from"./index-qacRXRM2.js";import{t as m}from"./tab-CGYDYoWu.js";import{t as h}from"./axis-picker-BQHY42UI.js";var g=1e3,_=[`pin`,`axis`,`port`,`way`,`bytes`],v={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},y=class extends m{static properties={...m.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,f`
+import{C as e,S as t,a as n,d as r,h as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,w as f,x as p}from"./index-4b_adNrG.js";import{t as m}from"./tab-Bfq0P7MO.js";import{t as h}from"./axis-picker-BrjRpwr3.js";var g=1e3,_=[`pin`,`axis`,`port`,`way`,`bytes`],v={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},y=class extends m{static properties={...m.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,f`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));

@@ -1,1 +1,0 @@
-import{S as e,p as t,w as n}from"./index-qacRXRM2.js";import"./curves-B8MGBgkY.js";import{t as r}from"./tab-CGYDYoWu.js";var i=class extends r{static styles=[t,n``];render(){return e`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
