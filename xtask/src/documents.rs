@@ -1,14 +1,18 @@
-//! Documents that a program writes. One list: the command, and the file that holds what it prints. What pages show
+//! Documents that a program writes. One list: the example, and the file that holds what it prints. What pages show
 //! of the program itself is looked after by a test of `cli`, which is told here to rewrite it.
 
-use crate::workplace::{Workplace, read};
+use crate::{
+    rust::ALL,
+    workplace::{Workplace, read},
+};
 use anyhow::{Context, Result, bail};
 use std::{fs, path::Path};
 
-/// A generated document.
+/// A generated document: what an example prints.
 struct Document {
-    /// Cargo's arguments; standard output is the document.
-    command: &'static [&'static str],
+    /// The example that prints it.
+    example: &'static str,
+    arguments: &'static [&'static str],
     file: &'static str,
 }
 
@@ -16,17 +20,8 @@ struct Document {
 macro_rules! conformance {
     ($model:literal) => {
         Document {
-            command: &[
-                "run",
-                "--quiet",
-                "--locked",
-                "-p",
-                "devices",
-                "--example",
-                "conformance",
-                "--",
-                $model,
-            ],
+            example: "conformance",
+            arguments: &[$model],
             file: concat!("docs/conformance/", $model, ".md"),
         }
     };
@@ -37,20 +32,32 @@ const DOCUMENTS: &[Document] = &[
     conformance!("pmx-2ed"),
     conformance!("cmd-4cr"),
     // The types that the page shares with the server.
-    Document {
-        command: &["run", "--quiet", "--locked", "-p", "server", "--example", "typescript"],
-        file: "web/src/api/contract.ts",
-    },
+    Document { example: "typescript", arguments: &[], file: "web/src/api/contract.ts" },
 ];
 
 /// The test of the pages, which writes them anew where [`OVERWRITE`] is in its environment.
-const PAGES: &[&str] = &["test", "--quiet", "--locked", "-p", "cli", "--test", "docs", "the_pages_are_true"];
+const PAGES: &[&str] =
+    &["test", "--quiet", "--locked", "--workspace", ALL, "--test", "docs", "the_pages_are_true"];
 const OVERWRITE: (&str, &str) = ("SNAPSHOTS", "overwrite");
+
+impl Document {
+    /// What it has to be.
+    fn print(&self, workplace: &Workplace) -> Result<String> {
+        let program = workplace.target.join("debug/examples").join(self.example);
+        read(&mut workplace.command(program, self.arguments))
+    }
+}
+
+/// Builds the examples, as the tests do, whose build this shares.
+fn build(workplace: &Workplace) -> Result<()> {
+    workplace.cargo(&["build", "--quiet", "--locked", "--workspace", ALL, "--examples"])
+}
 
 /// Writes every document.
 pub fn write(workplace: &Workplace) -> Result<()> {
+    build(workplace)?;
     for document in DOCUMENTS {
-        let text = read(&mut workplace.command("cargo", document.command))?;
+        let text = document.print(workplace)?;
         let path = workplace.root.join(document.file);
         fs::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
         fs::write(&path, text).with_context(|| document.file)?;
@@ -63,8 +70,9 @@ pub fn write(workplace: &Workplace) -> Result<()> {
 
 /// Compares every document with what would be written.
 pub fn check(workplace: &Workplace) -> Result<()> {
+    build(workplace)?;
     for document in DOCUMENTS {
-        let wanted = read(&mut workplace.command("cargo", document.command))?;
+        let wanted = document.print(workplace)?;
         let present = fs::read_to_string(workplace.root.join(document.file)).unwrap_or_default();
         if let Some(line) = first_difference(&present, &wanted) {
             bail!("{} is out of date from line {line} on: cargo xtask docs", document.file);
