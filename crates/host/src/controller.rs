@@ -69,6 +69,15 @@ impl Controller {
         self.model
     }
 
+    /// Its address on a bus as far as is known, since it may have been changed over this wire; `None` if it does not
+    /// matter.
+    pub fn address(&self) -> Option<u8> {
+        match &self.kind {
+            Kind::Ascii(unit) => unit.address(),
+            Kind::Tmcl(module) => module.address(),
+        }
+    }
+
     /// What went over its wire.
     pub const fn traffic(&self) -> &TrafficLog {
         self.bus.traffic()

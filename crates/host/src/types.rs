@@ -31,7 +31,8 @@ pub struct AxisStatus {
     pub position: i32,
     /// Encoder position, in counts (TMCL: microsteps).
     pub encoder: Option<i32>,
-    /// Speed, in pulses a second (TMCL: internal units, with a sign).
+    /// Speed, in pulses a second (TMCL: internal units). ASCII controllers say no sign: it is that of the way from one
+    /// look to the next.
     pub speed: i32,
     /// Where it goes, or has gone last. What was not said over this wire is only known of TMCL modules.
     pub target: Option<i32>,

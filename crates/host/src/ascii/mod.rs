@@ -67,6 +67,11 @@ impl Unit {
         matches!(self.dialect.family, Family::Commander)
     }
 
+    /// Its address. Another that it is given counts from its next start on.
+    pub const fn address(&self) -> Option<u8> {
+        self.address
+    }
+
     /// Who answers.
     pub async fn identify(&self) -> Result<Found> {
         identify(&self.bus, self.address, PATIENCE).await

@@ -33,7 +33,27 @@ pub(super) struct Rest {
     absolute: Option<bool>,
     inputs: Levels,
     outputs: Levels,
+    /// Where each axis was, and which way it has gone to get there.
+    ways: Vec<Way>,
     programs: BTreeMap<u8, ProgramStatus>,
+}
+
+/// The way of an axis. Its speed is told without a sign.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    position: i32,
+    is_negative: bool,
+}
+
+impl Way {
+    /// The way to where the axis is now.
+    fn on(self, position: i32) -> Self {
+        let is_negative = match position.wrapping_sub(self.position) {
+            0 => self.is_negative,
+            moved => moved < 0,
+        };
+        Self { position, is_negative }
+    }
 }
 
 /// StepNLoop of an axis: its status and its delta, which is one only while it is on.
@@ -72,6 +92,12 @@ impl Unit {
         for number in rest.turns.take(questions.len(), asked as u32, begin.elapsed()) {
             self.look(&mut rest, questions[number]).await?;
         }
+        let first = |&position: &i32| Way { position, is_negative: false };
+        let before = match rest.ways.len() {
+            0 => positions.iter().map(first).collect(),
+            _ => std::mem::take(&mut rest.ways),
+        };
+        rest.ways = before.into_iter().zip(&positions).map(|(way, &position)| way.on(position)).collect();
         let mut status = Status {
             seconds,
             absolute: rest.absolute,
@@ -86,7 +112,7 @@ impl Unit {
             let axis = AxisStatus {
                 position: positions[number],
                 encoder: Some(encoders[number]),
-                speed: speeds[number],
+                speed: if rest.ways[number].is_negative { -speeds[number] } else { speeds[number] },
                 target: self.targets()[number],
                 delta: looked.and_then(|looked| looked.delta),
                 enabled: Some(rest.enables >> number & 1 != 0),
@@ -252,5 +278,21 @@ fn put(levels: &mut Levels, name: &str, bits: u32, count: u8, chosen: u32) {
         } else {
             levels.remove(&name);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_speed_has_the_sign_of_the_way() {
+        let mut way = Way { position: 5, is_negative: false };
+        for (position, is_negative) in [(5, false), (4, true), (4, true), (9, false), (i32::MIN, true)] {
+            way = way.on(position);
+            assert_eq!((way.position, way.is_negative), (position, is_negative));
+        }
+        // Where the counter wraps.
+        assert!(!Way { position: i32::MAX, is_negative: true }.on(i32::MIN).is_negative);
     }
 }

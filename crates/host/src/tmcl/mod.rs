@@ -20,14 +20,17 @@ use protocol::tmcl::{FRAME_LENGTH, Frame, Reply, Request, Status};
 use std::{
     sync::{
         Mutex, MutexGuard, PoisonError,
-        atomic::{AtomicBool, AtomicU64},
+        atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering::Relaxed},
     },
     time::Duration,
 };
 use tmcl::isa::{Command, opcode};
 
-/// The address from the factory (TMCL manual, global parameter 66).
+/// The address from the factory.
 const DEFAULT_ADDRESS: u8 = 1;
+
+/// The global parameter that is the address, and its bank (TMCL manual, 5.1).
+const ADDRESS: (u8, u8) = (66, 0);
 
 /// The number of the module in its version.
 const MODULE: u16 = 1140;
@@ -35,7 +38,8 @@ const MODULE: u16 = 1140;
 /// A module.
 pub(crate) struct Module {
     bus: Bus,
-    address: u8,
+    /// Where it listens now: it may be told another over this wire.
+    address: AtomicU8,
     /// Whether it is alone at the other end, whatever its address.
     alone: bool,
     bits: Vec<Bit>,
@@ -62,7 +66,7 @@ impl Module {
     pub fn new(bus: Bus, address: Option<u8>, bits: Vec<Bit>) -> Self {
         Self {
             bus,
-            address: address.unwrap_or(DEFAULT_ADDRESS),
+            address: AtomicU8::new(address.unwrap_or(DEFAULT_ADDRESS)),
             alone: address.is_none(),
             bits,
             memory: Mutex::default(),
@@ -74,7 +78,24 @@ impl Module {
 
     /// Who answers.
     pub async fn identify(&self) -> Result<Found> {
-        identify(&self.bus, self.address, PATIENCE).await
+        identify(&self.bus, self.listens_at(), PATIENCE).await
+    }
+
+    /// Its address, if that matters or has been changed.
+    pub fn address(&self) -> Option<u8> {
+        let address = self.listens_at();
+        (!self.alone || address != DEFAULT_ADDRESS).then_some(address)
+    }
+
+    fn listens_at(&self) -> u8 {
+        self.address.load(Relaxed)
+    }
+
+    /// Follows the module to the address that a command gives it.
+    fn follow(&self, command: Command, reply: &Reply) {
+        if let Some(address) = address_after(command, reply) {
+            self.address.store(address, Relaxed);
+        }
     }
 
     /// The module's only axis.
@@ -122,17 +143,31 @@ impl Module {
     }
 
     async fn reply_once(&self, talk: &mut Talk<'_>, command: Command) -> Result<Reply> {
-        let frame = exchange(talk, self.address, command, PATIENCE, show).await?;
+        let address = self.listens_at();
+        let frame = exchange(talk, address, command, PATIENCE, show).await?;
         let meant = |reply: &Reply| {
             let opcode = reply.opcode == command.opcode || reply.status == Status::WRONG_CHECKSUM;
-            opcode && (self.alone || reply.module == self.address)
+            let is_its = reply.module == address || address_after(command, reply) == Some(reply.module);
+            opcode && (self.alone || is_its)
         };
-        Reply::parse(&frame).ok().filter(meant).ok_or_else(|| malformed(talk, command, frame))
+        let reply = Reply::parse(&frame).ok().filter(meant).ok_or_else(|| malformed(talk, command, frame))?;
+        self.follow(command, &reply);
+        Ok(reply)
     }
 
     fn memory(&self) -> MutexGuard<'_, Memory> {
         // Every field is right by itself, whoever panicked.
         self.memory.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The address that a module has after a command that was to change it. The reply may come from the old one or the new.
+fn address_after(command: Command, reply: &Reply) -> Option<u8> {
+    let is_address = (command.kind, command.motor) == ADDRESS && reply.status.is_ok();
+    match command.opcode {
+        opcode::SGP if is_address => u8::try_from(command.value).ok(),
+        opcode::RSGP if is_address => Some(reply.module),
+        _ => None,
     }
 }
 

@@ -96,10 +96,10 @@ impl Module {
     async fn stored(&self, address: usize) -> Result<Command> {
         let command = Command::new(opcode::READ_MEMORY, 0, 0, address as i32);
         let mut talk = self.talk().await?;
-        let mut frame = exchange(&mut talk, self.address, command, PATIENCE, show_stored).await?;
+        let mut frame = exchange(&mut talk, self.listens_at(), command, PATIENCE, show_stored).await?;
         if MemoryReply::parse(&frame).is_none() && Reply::parse(&frame).is_err() {
             talk.doubt();
-            frame = exchange(&mut talk, self.address, command, PATIENCE, show_stored).await?;
+            frame = exchange(&mut talk, self.listens_at(), command, PATIENCE, show_stored).await?;
         }
         // An ordinary reply says that there is nothing to be had. Both sums cannot be right at once but for one host
         // address, 0, and then the opcode tells.

@@ -19,14 +19,19 @@ impl Module {
                     .map_err(|error| Error::Value(format!("these bytes are no command: {error}")))?;
                 (address, Command::new(opcode, kind, motor, value))
             }
-            None => (self.address, command(line)?),
+            None => (self.listens_at(), command(line)?),
         };
         let Command { opcode, kind, motor, value } = command;
         let request = Request { address, opcode, kind, motor, value }.emit();
         let mut talk = self.talk().await?;
         let frame = exchange(&mut talk, address, command, PATIENCE, show).await?;
         let (reply, ok) = match Reply::parse(&frame) {
-            Ok(reply) => (reply.value.to_string(), reply.status.is_ok()),
+            Ok(reply) => {
+                if address == self.listens_at() {
+                    self.follow(command, &reply);
+                }
+                (reply.value.to_string(), reply.status.is_ok())
+            }
             // The two replies that are not built like the others.
             Err(_) => (hex(&frame.0), matches!(opcode, opcode::FIRMWARE_VERSION | opcode::READ_MEMORY)),
         };

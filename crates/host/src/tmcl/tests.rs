@@ -194,3 +194,31 @@ async fn what_a_program_is_told() {
     check(ProgramAction::Step, &[((130, 0, 0, 0), 0), ((135, 1, 0, 0), 8)]).await;
     check(ProgramAction::Reset, &[((131, 0, 0, 0), 0)]).await;
 }
+
+#[tokio::test]
+async fn a_module_is_followed_to_another_address() {
+    const SGP: u8 = 9;
+    let at = |address, (opcode, kind, motor, value): Sent| {
+        Request { address, opcode, kind, motor, value }.emit().0
+    };
+    let from = |module, status, opcode, value| Reply { host: 2, module, status, opcode, value }.emit().0;
+    // Whether the reply to the change comes from the new address or from the old one.
+    for replies_from in [7, 1] {
+        let script = Script::default()
+            .bytes(&at(1, (SGP, 66, 0, 0)), &from(1, Status::INVALID_VALUE, SGP, 0))
+            .bytes(&at(1, (SGP, 66, 0, 7)), &from(replies_from, Status::OK, SGP, 7))
+            .bytes(&at(7, (3, 0, 0, 0)), &from(7, Status::OK, 3, 0))
+            .bytes(&at(7, (SGP, 66, 0, 9)), &from(9, Status::OK, SGP, 9))
+            .bytes(&at(9, (3, 0, 0, 0)), &from(9, Status::OK, 3, 0));
+        let module = controller(&script);
+        let key = "GP66.0".parse().unwrap();
+        assert!(module.write(&key, &Value::Number(0)).await.is_err());
+        assert_eq!(module.address(), Some(1));
+        module.write(&key, &Value::Number(7)).await.unwrap();
+        module.act(&Action::Stop { axis: None }).await.unwrap();
+        assert!(module.terminal("SGP 66, 0, 9").await.unwrap().ok);
+        module.act(&Action::Stop { axis: None }).await.unwrap();
+        assert_eq!(module.address(), Some(9));
+        script.ends();
+    }
+}

@@ -1,13 +1,14 @@
 //! Parameters, and what is kept when the power goes.
 
 use super::act::parameter;
-use super::{Memory, Module};
+use super::{DEFAULT_ADDRESS, Memory, Module};
 use crate::bus::FLASH_PATIENCE;
 use crate::error::{Error, Result};
 use crate::key::Key;
 use crate::types::Value;
 use crate::wire::End;
 use protocol::tmcl::Request;
+use std::sync::atomic::Ordering::Relaxed;
 use tmcl::isa::{Command, VARIABLE_BANK, opcode};
 
 /// Without this value the module keeps its settings (TMCL manual, 3.7.53).
@@ -52,7 +53,7 @@ impl Module {
         let mut talk = self.talk().await?;
         let words = "restore factory settings";
         let request = Request {
-            address: self.address,
+            address: self.listens_at(),
             opcode: opcode::FACTORY_SETTINGS,
             kind: 0,
             motor: 0,
@@ -62,6 +63,7 @@ impl Module {
         talk.exchange(&request.emit().0, words, End::Silence, FLASH_PATIENCE, read).await?;
         talk.doubt();
         *self.memory() = Memory::default();
+        self.address.store(DEFAULT_ADDRESS, Relaxed);
         Ok(())
     }
 

@@ -8,7 +8,11 @@ use devices::{
 };
 use host::{Bit, Bus, Controller, Error, Settings, WireError, Wires};
 use serde::Serialize;
-use std::{fmt, io, str::FromStr, sync::Arc};
+use std::{
+    fmt, io,
+    str::FromStr,
+    sync::{self, Arc},
+};
 use tokio::sync::{Mutex, watch};
 use ts_rs::TS;
 use utoipa::ToSchema;
@@ -105,8 +109,8 @@ impl Place {
 pub(crate) enum End {
     /// A device in this process, by this port.
     Unit(Arc<Unit>, Port),
-    /// A controller that somebody has connected, with its address if it has company.
-    Real(Place, Option<u8>),
+    /// A controller that somebody has connected, with its address if it has company: the one that it had last.
+    Real(Place, sync::Mutex<Option<u8>>),
 }
 
 /// A wire that is open.
@@ -202,13 +206,16 @@ impl Link {
         match &self.end {
             End::Unit(unit, Port::Rs485) => Some(unit.with(|device| device.bus_address())),
             End::Unit(..) => None,
-            End::Real(_, address) => *address,
+            End::Real(_, address) => *known(address),
         }
     }
 
     async fn lose(&self, controller: &Arc<Controller>, error: &Error) {
         let mut open = self.open.lock().await;
         if open.take_if(|open| Arc::ptr_eq(&open.controller, controller)).is_some() {
+            if let End::Real(_, address) = &self.end {
+                *known(address) = controller.address();
+            }
             self.say(LinkState::Lost { reason: error.to_string() });
         }
     }
@@ -220,6 +227,11 @@ impl Link {
             is_new
         });
     }
+}
+
+/// An address is known or not, whoever panicked.
+fn known(address: &sync::Mutex<Option<u8>>) -> sync::MutexGuard<'_, Option<u8>> {
+    address.lock().unwrap_or_else(sync::PoisonError::into_inner)
 }
 
 #[cfg(test)]

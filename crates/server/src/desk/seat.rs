@@ -93,7 +93,7 @@ impl Seat {
     /// A real controller; `None` if nobody knows how to talk to this model.
     pub fn real(name: String, model: &'static Model, place: Place, address: Option<u8>) -> Option<Arc<Self>> {
         let kind = Kind::Real { place: place.to_string() };
-        let link = Link::new(End::Real(place, address), model.name.parse().ok()?, model.guide);
+        let link = Link::new(End::Real(place, address.into()), model.name.parse().ok()?, model.guide);
         let (hub, holds) = Default::default();
         let seat = Arc::new(Self { name, model, kind, link: Some(link), hub, holds });
         Hub::attend_always(&seat);

@@ -170,6 +170,33 @@ fn a_real_one_by_tcp() {
 }
 
 #[test]
+fn a_real_one_that_is_given_another_address() {
+    let (state, endpoint) = (directory(), format!("tcp:{}", free_address()));
+    // With company on the bus it listens to its address alone.
+    let machine = || {
+        let module = devices::model("pd42-1140").unwrap();
+        let module = DeviceConfig { model: module, ..performax("a", &[&endpoint]) };
+        let devices = vec![module, performax("b", &[&endpoint])];
+        Server::start(Settings { state: Some(state.clone()), ..settings(devices) }).unwrap()
+    };
+    let before = machine();
+    let rig = Rig::new(&[]);
+    let real = json!({ "name": "stage", "model": "pd42-1140", "link": endpoint, "address": 1 });
+    let (status, added) = add(&rig, json!({ "real": real }));
+    assert_eq!(status, 201, "{added}");
+    rig.tell("PUT", "stage/parameters/GP66.0", "7");
+    assert_eq!(rig.get("stage/parameters/GP66.0"), 7);
+    rig.tell("POST", "stage/parameters/store", "");
+    before.stop().unwrap();
+    eventually("it is lost", || rig.get("stage")["link"]["state"] == "lost");
+    let after = machine();
+    eventually("it is found", || rig.get("stage")["link"]["state"] == "up");
+    assert_eq!(rig.get("stage/parameters/GP66.0"), 7);
+    rig.server.stop().unwrap();
+    after.stop().unwrap();
+}
+
+#[test]
 fn real_ones_that_are_wrong() {
     let rig = Rig::new(&[]);
     let refused = |name: &str, model: &str, link: &str, expected: u16, words: &str| {

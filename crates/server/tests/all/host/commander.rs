@@ -23,7 +23,7 @@ fn jogging_and_stopping() {
     assert_eq!(before.axes.keys().collect::<Vec<_>>(), ["U", "X", "Y", "Z"]);
     stand.act(jog("U", Direction::Negative));
     let there = stand.until("full speed", |status| status.axes["U"].state == "constant speed");
-    assert_eq!((there.axes["U"].speed, there.axes["X"].speed), (5000, 0));
+    assert_eq!((there.axes["U"].speed, there.axes["X"].speed), (-5000, 0));
     assert_eq!(stand.refused(jog("U", Direction::Negative)), "?Error Moving");
     stand.act(Action::Stop { axis: Some(axis("U")) });
     let rest = stand.at_rest("U");

@@ -28,7 +28,7 @@ fn jogging_and_stopping() {
     let axis = &there.axes["X"];
     assert_eq!(
         (axis.speed, axis.enabled, axis.flags.as_slice()),
-        (5000, Some(true), &["constant speed".into()][..])
+        (-5000, Some(true), &["constant speed".into()][..])
     );
     assert_eq!((there.axes["Y"].state.as_str(), there.axes["Y"].enabled), ("idle", Some(false)));
     assert_eq!(stand.refused(jog(Direction::Negative, 5000)), "?Moving");
