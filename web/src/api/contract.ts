@@ -182,7 +182,8 @@ position: number,
  */
 encoder: number | null,
 /**
- * Speed, in pulses a second (TMCL: internal units, with a sign).
+ * Speed, in pulses a second (TMCL: internal units). ASCII controllers say no sign: it is that of the way from one
+ * look to the next.
  */
 speed: number,
 /**

@@ -17,7 +17,7 @@ fn devices_and_their_state() {
     let entry = |name: &str, endpoints: Value| {
         json!({
             "name": name, "model": "parrot", "title": "says back what it hears", "kind": "virtual",
-            "endpoints": endpoints, "link": { "state": "up" }, "removable": false,
+            "axis_names": [], "endpoints": endpoints, "link": { "state": "up" }, "removable": false,
         })
     };
     let expected = json!([entry("a", json!([endpoint])), entry("b", json!([]))]);

@@ -4,6 +4,7 @@ use super::Rig;
 use crate::common::{call, check, connect, directory, eventually, free_address, performax, settings};
 use serde_json::{Value, json};
 use server::{HttpSettings, Server, Settings, Token};
+use sim::DeviceConfig;
 
 fn add(rig: &Rig, what: Value) -> (u16, Value) {
     call(rig.address, "POST", "/api/devices", &what.to_string())
@@ -184,14 +185,14 @@ fn a_real_one_that_is_given_another_address() {
     let real = json!({ "name": "stage", "model": "pd42-1140", "link": endpoint, "address": 1 });
     let (status, added) = add(&rig, json!({ "real": real }));
     assert_eq!(status, 201, "{added}");
-    rig.tell("PUT", "stage/parameters/GP66.0", "7");
-    assert_eq!(rig.get("stage/parameters/GP66.0"), 7);
+    rig.tell("PUT", "stage/parameters/GP66", "7");
+    assert_eq!(rig.get("stage/parameters/GP66"), 7);
     rig.tell("POST", "stage/parameters/store", "");
     before.stop().unwrap();
     eventually("it is lost", || rig.get("stage")["link"]["state"] == "lost");
     let after = machine();
     eventually("it is found", || rig.get("stage")["link"]["state"] == "up");
-    assert_eq!(rig.get("stage/parameters/GP66.0"), 7);
+    assert_eq!(rig.get("stage/parameters/GP66"), 7);
     rig.server.stop().unwrap();
     after.stop().unwrap();
 }

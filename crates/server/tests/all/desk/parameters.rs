@@ -90,7 +90,7 @@ fn what_cannot_be() {
 fn a_new_address_is_followed() {
     let rig = Rig::new(&["pd42-1140", "pmx-2ed"]);
     // The reply has the new address already, which is not that of the question.
-    rig.call("PUT", "pd42-1140/parameters/GP66", "9");
+    rig.tell("PUT", "pd42-1140/parameters/GP66", "9");
     rig.tell("PUT", "pmx-2ed/parameters/DN", "\"2ED07\"");
     rig.tell("POST", "pmx-2ed/parameters/store", "");
     rig.tell("POST", "pmx-2ed/power-cycle", "");
