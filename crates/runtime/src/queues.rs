@@ -129,7 +129,8 @@ impl<const AXES: usize> Plan<'_, AXES> {
 
     /// Queues an event; false if there is no room.
     pub(crate) fn push_event(&mut self, event: Event) -> bool {
-        // Rust 1.95 loses the addition where this is `order.wrapping_add(queued.into())`, without a branch.
+        // Rust 1.95 may drop the addition where the result is kept as a `bool`, added and branched on
+        // (rust-lang/rust#158206).
         if self.events.enqueue(event).is_err() {
             return false;
         }
