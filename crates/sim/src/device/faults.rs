@@ -8,7 +8,6 @@ use super::{
     world::{Stirred, World},
 };
 use crate::{
-    config::DeviceConfig,
     fault::{
         Entry, Fault, FaultError, FaultView, Kind, MAX_FAULTS, Parts, Planned, Trigger, Way,
         scenario::no_source,
@@ -446,10 +445,11 @@ impl VirtualDevice {
             machine.set_load(axis, self.loads[axis] + extra);
         }
         self.world.windows.fill(None);
-        self.disturb(|world, config| {
-            world.stuck = new.stuck;
-            if new.volts != old.volts {
-                world.machine.set_supply(new.volts.unwrap_or(config.supply_v));
+        let dips = new.volts != old.volts;
+        self.disturb(|device| {
+            device.world.stuck = new.stuck;
+            if dips {
+                device.supply();
             }
         });
         match (old.dark, new.dark) {
@@ -492,11 +492,17 @@ impl VirtualDevice {
         effects
     }
 
+    /// Gives the motors the supply that there is now: that of a hand, of a fault, or the usual one.
+    pub(super) fn supply(&mut self) {
+        let others = self.faults.effects.volts.unwrap_or(self.config.supply_v);
+        self.world.machine.set_supply(self.world.supply_by_hand().unwrap_or(others));
+    }
+
     /// Changes something outside, and tells the controller of analog pins that have other levels then.
-    fn disturb(&mut self, change: impl FnOnce(&mut World, &DeviceConfig)) {
+    fn disturb(&mut self, change: impl FnOnce(&mut Self)) {
         let pins = self.pins();
         let before: Vec<_> = (0..pins.len()).map(|pin| self.world.level(pin)).collect();
-        change(&mut self.world, &self.config);
+        change(self);
         for (pin, before) in before.into_iter().enumerate() {
             self.analog_was(pin, before);
         }

@@ -30,7 +30,7 @@ use crate::{
     record::{Mark, Note, RecordError, RecordInfo, Recorder},
     tape::{self, Act, Track},
 };
-use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramRun, ProgramState};
+use devices::{AxisState, Controller, Drive, Notice, Pin, Port, ProgramRun, ProgramState, Wiring};
 use faults::Faults;
 use motion::Ticks;
 use protocol::{hid::Name, tmcl::Status};
@@ -268,7 +268,8 @@ impl VirtualDevice {
     }
 
     /// Drives an input by hand, whatever the machine does, until it is released. A port that becomes an
-    /// output meanwhile is the controller's, and the hand's again afterwards.
+    /// output meanwhile is the controller's, and the hand's again afterwards. A pin that measures the motor supply
+    /// is that supply: the motors have the same volts.
     ///
     /// # Errors
     /// [`PinError`].
@@ -516,6 +517,9 @@ impl VirtualDevice {
     fn put(&mut self, pin: usize, level: Option<i32>) {
         let before = self.world.level(pin);
         self.world.drive_input(pin, level);
+        if self.pins()[pin].wiring == Wiring::Supply {
+            self.supply();
+        }
         self.analog_was(pin, before);
         self.settle();
     }

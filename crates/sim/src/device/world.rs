@@ -14,7 +14,7 @@ use crate::{
     machine::{Edge, Machine},
     record::{Mark, Note, RecordError, Recorder},
 };
-use devices::{AxisState, Board, Controller, Drive, Pin, PinKind, Port};
+use devices::{AxisState, Board, Controller, Drive, Pin, PinKind, Port, Wiring};
 use motion::{Moment, Ticks, Train};
 use std::collections::VecDeque;
 
@@ -307,6 +307,13 @@ impl World {
         self.hands.set(pin, level);
         self.stirred = Stirred::Pins;
         self.windows.fill(None);
+    }
+
+    /// The volts that somebody gives the motors by hand. A supply has no sign.
+    pub fn supply_by_hand(&self) -> Option<f64> {
+        let measures = |pin: &usize| self.pins[*pin].wiring == Wiring::Supply;
+        let pin = (0..self.pins.len()).find(measures)?;
+        Some((f64::from(self.hands.level(pin)?) / f64::from(self.pins[pin].scale)).max(0.0))
     }
 
     pub fn add_recorder(&mut self, mut recorder: Box<dyn Recorder + Send>) {

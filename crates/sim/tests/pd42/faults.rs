@@ -3,7 +3,11 @@
 use crate::rig::{Rig, program, running};
 use devices::Port;
 use protocol::tmcl::{Request, Status};
-use sim::{DeviceConfig, Scenario, fault::scenario::no_source};
+use sim::{
+    DeviceConfig, Scenario, SharedFlash,
+    fault::scenario::no_source,
+    tape::{Reader, Tape},
+};
 
 const LIMIT: i64 = 51_200;
 
@@ -149,6 +153,47 @@ fn supply_dips() {
     // Too much is only seen.
     rig.fault("kind = 'supply_dip'\nvolts = 30\nduration = 0.2");
     assert_eq!((rig.gap(3), rig.ok(15, 8, 1, 0)), (500, 300));
+}
+
+/// At 24 V the motor follows 300 full steps a second, at 12 V 150; speed 1000 are 238.
+#[test]
+fn a_supply_pin_driven_by_hand_is_the_motors_supply() {
+    let mut rig = Rig::with(|axis| (axis.pull_out, axis.load) = (vec![[0.0, 1.0], [400.0, 0.0]], 0.25));
+    let config = rig.device.config().clone();
+    let file = std::env::temp_dir().join(format!("supply-{}.ptr", std::process::id()));
+    let flash = SharedFlash::erased(config.model.flash_bytes);
+    let tape = Tape::create(&file, &[(&config, 1, &flash)]).unwrap();
+    rig.device.add_tape(tape.track(0));
+    rig.sap(5, 500);
+    rig.sap(4, 1000);
+    let follows = |rig: &mut Rig| {
+        let lost = |rig: &mut Rig| i64::from(rig.gap(1)) - rig.shaft();
+        let before = lost(rig);
+        let target = if rig.gap(1) == 0 { 100_000 } else { 0 };
+        rig.move_to(target);
+        rig.until_rest();
+        lost(rig) == before
+    };
+    assert!(follows(&mut rig));
+    rig.analog("SUPPLY", 12.0);
+    assert!(!follows(&mut rig));
+    rig.device.release_pin("SUPPLY").unwrap();
+    assert!(follows(&mut rig), "24 V again");
+    let dip = rig.fault("kind = 'supply_dip'\nvolts = 12");
+    rig.analog("SUPPLY", 24.0);
+    assert!(follows(&mut rig), "the hand has it");
+    rig.device.release_pin("SUPPLY").unwrap();
+    assert!(!follows(&mut rig), "and gives it back to the dip");
+    rig.device.clear_fault(dip).unwrap();
+    assert!(follows(&mut rig));
+
+    rig.device.end_tape();
+    tape.finish().unwrap();
+    let mut replay = Reader::open(&file).unwrap().replay().unwrap();
+    replay.play(|_, _, _| ()).unwrap();
+    std::fs::remove_file(file).unwrap();
+    let again = &replay.devices()[0];
+    assert_eq!((again.now(), again.shaft("0").unwrap()), (rig.device.now(), rig.shaft()));
 }
 
 #[test]
