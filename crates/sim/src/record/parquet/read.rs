@@ -84,6 +84,7 @@ fn row(record: &Record) -> Result<Row<'_>, String> {
             ("event", _) => row.event = text.unwrap_or_default(),
             ("axis", _) => row.axis = text,
             ("position", _) => row.position = number,
+            ("encoder", _) => row.encoder = number,
             ("speed", _) => row.speed = number,
             ("pin", _) => row.pin = text,
             ("value", _) => row.value = number,

@@ -80,6 +80,10 @@ pub(super) fn page(plot: &Plot) -> Page {
         for (axis, curve) in axes.iter().zip(&curves) {
             panel.curve(&mut page, curve, axis_color(*axis));
         }
+        // Behind those of the axes there are those of their encoders.
+        for (axis, curve) in with_encoder(plot, &axes).zip(curves.iter().skip(axes.len())) {
+            panel.dashed(&mut page, curve, axis_color(axis));
+        }
         panel.frame(&mut page);
         if number == 0 {
             signs(plot, &axes, &panel, &mut page);
@@ -100,12 +104,23 @@ pub(super) fn page(plot: &Plot) -> Page {
     page
 }
 
-/// The three panels: name, unit, and a curve for each axis.
+/// The axes whose encoders have curves of their own.
+pub(super) fn with_encoder(plot: &Plot, axes: &[usize]) -> impl Iterator<Item = usize> {
+    axes.iter().copied().filter(|axis| plot.axes[*axis].1.has_other_encoder())
+}
+
+/// The three panels: name, unit, and a curve for each axis; among the positions one more for each encoder that has one.
 fn quantities(plot: &Plot, axes: &[usize]) -> [(&'static str, &'static str, Vec<Points>); 3] {
     let clock = f64::from(plot.clock_hz);
     let of = |curve: &dyn Fn(&Curves) -> Points| axes.iter().map(|axis| curve(&plot.axes[*axis].1)).collect();
+    let mut positions: Vec<Points> =
+        of(&|curves| panel::points(curves, |motion| motion.position, clock, 1.0));
+    positions.extend(
+        with_encoder(plot, axes)
+            .map(|axis| panel::points(&plot.axes[axis].1, |motion| motion.encoder, clock, 1.0)),
+    );
     [
-        ("position", "pulses", of(&|curves| panel::points(curves, |motion| motion.position, clock, 1.0))),
+        ("position", "pulses", positions),
         ("speed", "pulses/s", of(&|curves| panel::points(curves, |motion| motion.speed, clock, clock))),
         ("acceleration", "pulses/s²", of(&|curves| panel::slopes(curves, clock))),
     ]
@@ -196,6 +211,32 @@ mod tests {
         for text in ["axis Y", "stopped", "DO1", "slip of X over"] {
             assert_eq!(count(text), 0, "{text}: {texts:?}");
         }
+    }
+
+    /// An encoder that counts every tenth pulse, and is so much behind after half of the way.
+    #[track_caller]
+    fn check_encoder(lost: i32, shown: bool) {
+        let mut plot = Plot::new("stage", 1000, 0);
+        let axis = plot.axis("X").unwrap();
+        for at in 0..=1000_i32 {
+            let turned = if at < 500 { at } else { at - lost };
+            let encoder = turned - turned.rem_euclid(10);
+            plot.sample(at as u64, axis, at.into(), 1000.0);
+            plot.encoder(at as u64, axis, at.into(), encoder.into());
+        }
+        plot.finish(1000);
+        let is_curve = |element: &Element| matches!(element, Element::Line { dashed: true, color, .. } if *color == axis_color(axis));
+        let curves: Vec<_> = page(&plot).elements.into_iter().filter(is_curve).collect();
+        assert_eq!(curves.len(), usize::from(shown), "{lost} lost");
+        assert_eq!(texts(&plot).contains(&"encoder".to_owned()), shown);
+    }
+
+    #[test]
+    fn an_encoder_that_says_something_else_has_a_curve() {
+        check_encoder(0, false);
+        check_encoder(2, false);
+        check_encoder(40, true);
+        check_encoder(-40, true);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::{
     Plot,
-    draw::{LEFT, RIGHT, SIGNS, SMALL, Span, axis_color},
+    draw::{LEFT, RIGHT, SIGNS, SMALL, Span, axis_color, with_encoder},
     font::Font,
     page::{Anchor, Color, INK, Page, Place, Style, WIDTH},
 };
@@ -22,6 +22,7 @@ const FAULT: Color = Color(200, 40, 60);
 /// A word of the legend: where it is, and what it means.
 enum Word {
     Axis(usize),
+    Encoder,
     Sign(usize),
 }
 
@@ -42,6 +43,9 @@ impl Heading {
             words.extend(
                 axes.iter().map(|axis| (Word::Axis(*axis), 22.0, format!("axis {}", plot.axes[*axis].0))),
             );
+        }
+        if with_encoder(plot, axes).next().is_some() {
+            words.push((Word::Encoder, 22.0, "encoder".into()));
         }
         for (number, (sign, .., name)) in SIGNS.iter().enumerate() {
             if plot.marks.iter().any(|(.., other)| other == sign) {
@@ -76,6 +80,10 @@ impl Heading {
                 match word {
                     Word::Axis(axis) => {
                         page.line([(*x, *y), (x + 16.0, *y)], axis_color(*axis), 2.0);
+                        22.0
+                    }
+                    Word::Encoder => {
+                        page.dashed([(*x, *y), (x + 16.0, *y)], INK, 1.2);
                         22.0
                     }
                     Word::Sign(number) => {

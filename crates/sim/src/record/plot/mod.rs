@@ -151,6 +151,13 @@ impl Plot {
         self.end = self.end.max(at);
     }
 
+    /// What the counters of an axis were, in pulses, behind its pulses or its sample of that time.
+    pub fn encoder(&mut self, at: Ticks, axis: usize, position: f64, encoder: f64) {
+        let [position, encoder] = [position, encoder].map(|value| value.clamp(-MAX_VALUE, MAX_VALUE));
+        self.axes[axis].1.encoder(at, position, encoder);
+        self.end = self.end.max(at);
+    }
+
     /// A pin has this value from now on.
     pub fn level(&mut self, at: Ticks, pin: usize, value: f64) {
         self.pins[pin].levels.add(at, value.clamp(-MAX_VALUE, MAX_VALUE));
@@ -206,7 +213,8 @@ impl Plot {
             let hundredth = |part: Ticks| self.origin + (self.end - self.origin) * part / 100;
             let places =
                 [0, 50, 100].map(|part| curves.position_at(hundredth(part)).unwrap_or(f64::NAN).round());
-            lines.push(format!("axis {name}: {places:?}"));
+            let encoder = if curves.has_other_encoder() { ", encoder elsewhere" } else { "" };
+            lines.push(format!("axis {name}: {places:?}{encoder}"));
         }
         for Trace { name, unit, levels } in &self.pins {
             let series::Span { low, high, last } =

@@ -64,6 +64,11 @@ impl Panel {
         page.line(thinned(points.iter().map(|point| self.place(*point))), color, 1.5);
     }
 
+    /// The line of a curve beside the one of the same colour.
+    pub fn dashed(&self, page: &mut Page, points: &Points, color: Color) {
+        page.dashed(thinned(points.iter().map(|point| self.place(*point))), color, 1.2);
+    }
+
     /// The edges, in front of the curves.
     pub fn frame(&self, page: &mut Page) {
         frame(page, (LEFT, self.top), (WIDTH - RIGHT, self.top + self.height));

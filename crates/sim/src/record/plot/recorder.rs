@@ -6,6 +6,9 @@ use devices::{AxisState, Drive, Wiring};
 use motion::{Ticks, Train};
 use std::path::{Path, PathBuf};
 
+/// How often the encoders are looked at.
+const SAMPLES_PER_SECOND: u32 = 1000;
+
 /// Draws the plot when the recording ends.
 pub struct PlotRecorder {
     path: PathBuf,
@@ -38,6 +41,10 @@ impl PlotRecorder {
 }
 
 impl Recorder for PlotRecorder {
+    fn sample_every(&self) -> Option<Ticks> {
+        Some(Ticks::from(self.info.clock_hz / SAMPLES_PER_SECOND))
+    }
+
     fn train(&mut self, axis: usize, train: &Train) {
         self.plot(train.start.ticks).train(axis, train);
     }
@@ -65,7 +72,12 @@ impl Recorder for PlotRecorder {
         self.plot(at).note(at, note, text);
     }
 
-    fn sample(&mut self, _at: Ticks, _axis: usize, _state: &AxisState) {}
+    /// Of the counters, only how far they are apart is not known from the pulses.
+    fn sample(&mut self, at: Ticks, axis: usize, state: &AxisState) {
+        let apart = f64::from(state.encoder.wrapping_sub(state.position));
+        let position = f64::from(state.position);
+        self.plot(at).encoder(at, axis, position, position + apart);
+    }
 
     fn finish(&mut self, at: Ticks) -> Result<(), RecordError> {
         let picture = self.picture;

@@ -104,6 +104,8 @@ impl Extent {
 pub(super) struct Motion {
     pub position: Option<Extent>,
     pub speed: Option<Extent>,
+    /// Where the encoder says that the axis is.
+    pub encoder: Option<Extent>,
 }
 
 impl Merge for Motion {
@@ -111,6 +113,7 @@ impl Merge for Motion {
         Self {
             position: Extent::merge(self.position, later.position),
             speed: Extent::merge(self.speed, later.speed),
+            encoder: Extent::merge(self.encoder, later.encoder),
         }
     }
 }
@@ -126,6 +129,17 @@ pub(super) struct Curves {
     uneven: Option<Uneven>,
     /// The first position of samples; curves are of pulses or of samples.
     sampled: Option<f64>,
+    encoder: Encoder,
+}
+
+/// What was seen of an encoder.
+#[derive(Clone, Copy, Debug)]
+struct Encoder {
+    last: Option<f64>,
+    /// The smallest change of its counter; at most 1 less than its resolution, where that is no whole number.
+    step: f64,
+    /// The largest distance from the position.
+    apart: f64,
 }
 
 /// An axis that steps in some slots of a path: its spacing jumps, but not its mean over many pulses.
@@ -142,7 +156,9 @@ const EVENED: i64 = MAX_SLOTS as i64;
 impl Curves {
     pub fn new(origin: Ticks) -> Self {
         let buckets = Buckets::new(origin);
-        let mut curves = Self { buckets, position: 0, moved: false, last: None, uneven: None, sampled: None };
+        let encoder = Encoder { last: None, step: f64::INFINITY, apart: 0.0 };
+        let mut curves =
+            Self { buckets, position: 0, moved: false, last: None, uneven: None, sampled: None, encoder };
         curves.put(origin, 0.0);
         curves
     }
@@ -166,6 +182,28 @@ impl Curves {
         let content = &mut self.buckets.buckets[bucket];
         Extent::add(&mut content.position, at as f64, position);
         Extent::add(&mut content.speed, at as f64, speed);
+    }
+
+    /// Adds what the counters of an axis were at a time until which everything else is known. The encoder is
+    /// drawn as far from the curve as it is from the position.
+    pub fn encoder(&mut self, at: Ticks, position: f64, encoder: f64) {
+        let apart = encoder - position;
+        let place = self.sampled.map_or(self.position as f64, |_| position) + apart;
+        self.buckets.reach(at);
+        let bucket = self.buckets.scale.bucket(at);
+        Extent::add(&mut self.buckets.buckets[bucket].encoder, at as f64, place);
+        let step = self.encoder.last.replace(encoder).map_or(0.0, |last| (encoder - last).abs());
+        if step > 0.0 {
+            self.encoder.step = self.encoder.step.min(step);
+        }
+        self.encoder.apart = self.encoder.apart.max(apart.abs());
+    }
+
+    /// Whether the encoder was further from the position than its resolution explains. One that never counted
+    /// explains nothing.
+    pub fn has_other_encoder(&self) -> bool {
+        let Encoder { step, apart, .. } = self.encoder;
+        apart > if step.is_finite() { step + 1.0 } else { 0.0 }
     }
 
     /// Where the curve is at a time; `None` if nothing is known.

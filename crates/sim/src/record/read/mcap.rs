@@ -26,6 +26,7 @@ enum Topic {
 #[derive(Deserialize)]
 struct Message<'a> {
     position: Option<f64>,
+    encoder: Option<f64>,
     speed: Option<f64>,
     value: Option<f64>,
     #[serde(borrow)]
@@ -95,6 +96,7 @@ fn put(plot: &mut Plot, at: u64, topic: &Topic, message: &Message<'_>) -> Result
             let axis = plot.axis(name).ok_or("too many axes")?;
             let position = message.position.ok_or_else(|| missing("position"))?;
             plot.sample(at, axis, position, message.speed.ok_or_else(|| missing("speed"))?);
+            message.encoder.into_iter().for_each(|encoder| plot.encoder(at, axis, position, encoder));
         }
         Topic::Event(name) => {
             let axis = plot.axis(name).ok_or("too many axes")?;

@@ -11,6 +11,7 @@ pub(in crate::record) struct Row<'a> {
     pub event: &'a str,
     pub axis: Option<&'a str>,
     pub position: Option<f64>,
+    pub encoder: Option<f64>,
     pub speed: Option<f64>,
     pub pin: Option<&'a str>,
     pub value: Option<f64>,
@@ -25,6 +26,7 @@ pub(in crate::record) fn put(plot: &mut Plot, row: &Row<'_>) -> Result<(), Strin
         let axis = axis(plot, row)?;
         let position = row.position.ok_or_else(|| missing("position"))?;
         plot.sample(row.at, axis, position, row.speed.ok_or_else(|| missing("speed"))?);
+        row.encoder.into_iter().for_each(|encoder| plot.encoder(row.at, axis, position, encoder));
     } else if row.event == "pin" {
         let name = row.pin.ok_or_else(|| missing("pin"))?;
         let pin = plot.pin(name, row.unit.unwrap_or_default()).ok_or("too many pins")?;

@@ -20,7 +20,7 @@ fn remove(name: &str) {
     fs::remove_dir_all(folder.unwrap()).unwrap();
 }
 
-/// One axis goes from 0 to 300 in the second half of a second; a supply that dips, a switch, and a fault.
+/// One axis goes from 0 to 300 in the second half of a second and loses 40 pulses at its end; a supply that dips, a switch, and a fault.
 fn record(path: &Path) {
     let info: RecordInfo = stage();
     let mut recorder = create(path, &info).unwrap();
@@ -32,7 +32,8 @@ fn record(path: &Path) {
         for number in from..to {
             let position = number.saturating_sub(500) * 3 / 5;
             let speed_mpps = if (500..1000).contains(&number) { 600_000 } else { 0 };
-            let state = AxisState { position: position as i32, speed_mpps, ..AxisState::default() };
+            let encoder = position.min(260) as i32;
+            let state = AxisState { position: position as i32, encoder, speed_mpps, ..AxisState::default() };
             recorder.sample(number * every, 0, &state);
         }
     };
@@ -69,7 +70,7 @@ fn every_format_tells_the_same() {
         let plot = read(&path).unwrap_or_else(|error| panic!("{error}"));
         let expected = [
             "from 0.000000 to 1.000000",
-            "axis X: [0.0, 0.0, 300.0]",
+            "axis X: [0.0, 0.0, 300.0], encoder elsewhere",
             "pin motor_supply: 12.5 to 24, then 24 V",
             "pin +LX: 0 to 1, then 1 ",
             "0.500000 X Started",

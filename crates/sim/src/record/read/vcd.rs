@@ -14,6 +14,7 @@ const SAMPLE_NS: Ticks = SAMPLE_MS * 1_000_000;
 #[derive(Clone, Copy)]
 enum Meaning {
     Position(usize),
+    Encoder(usize),
     Speed(usize),
     Pin(usize),
 }
@@ -23,9 +24,18 @@ enum Meaning {
 struct Sample {
     at: Ticks,
     position: f64,
+    /// `None` if the file has none.
+    encoder: Option<f64>,
     speed: f64,
     /// It has changed since it was put into the plot.
     is_new: bool,
+}
+
+impl Sample {
+    fn put(&self, plot: &mut Plot, at: Ticks, axis: usize) {
+        plot.sample(at, axis, self.position, self.speed);
+        self.encoder.into_iter().for_each(|encoder| plot.encoder(at, axis, self.position, encoder));
+    }
 }
 
 struct Waveforms {
@@ -126,6 +136,7 @@ impl Waveforms {
             self.axes.resize(self.axes.len().max(number + 1), Sample::default());
             match quantity {
                 Some("position") => Meaning::Position(number),
+                Some("encoder") => Meaning::Encoder(number),
                 Some("speed") => Meaning::Speed(number),
                 _ => return Ok(()),
             }
@@ -144,6 +155,7 @@ impl Waveforms {
             Some(Meaning::Pin(pin)) if self.now == 0 => drop(self.first.insert(*pin, value)),
             Some(Meaning::Pin(pin)) => self.plot.level(self.now, *pin, value),
             Some(Meaning::Position(axis)) => self.sample(*axis).position = value,
+            Some(Meaning::Encoder(axis)) => self.sample(*axis).encoder = Some(value),
             Some(Meaning::Speed(axis)) => self.sample(*axis).speed = value,
             None => {}
         }
@@ -153,7 +165,7 @@ impl Waveforms {
     fn sample(&mut self, axis: usize) -> &mut Sample {
         let sample = &mut self.axes[axis];
         if !sample.is_new && self.now > sample.at + SAMPLE_NS {
-            self.plot.sample(self.now - SAMPLE_NS, axis, sample.position, sample.speed);
+            sample.put(&mut self.plot, self.now - SAMPLE_NS, axis);
         }
         (sample.at, sample.is_new) = (self.now, true);
         sample
@@ -166,7 +178,7 @@ impl Waveforms {
         }
         for (axis, sample) in self.axes.iter_mut().enumerate() {
             if std::mem::take(&mut sample.is_new) {
-                self.plot.sample(sample.at, axis, sample.position, sample.speed);
+                sample.put(&mut self.plot, sample.at, axis);
             }
         }
         self.plot.finish(self.now);
