@@ -283,7 +283,7 @@ impl VirtualDevice {
     }
 
     fn parts(&self) -> Parts {
-        Parts { model: self.config.model, axes: self.axes(), pins: self.pins() }
+        Parts::of_controller(self.config.model, &*self.controller)
     }
 
     fn clocks(&self, seconds: f64) -> Ticks {
@@ -385,6 +385,13 @@ impl VirtualDevice {
             self.world.record_note(Note::Cleared, &fault.to_string());
             return;
         }
+        if let Kind::HandWheel { axis, counts } = &fault.kind {
+            let axis = self.axis_index(axis).expect("the entry was checked");
+            // One that has more to give than it can keep is not turned on.
+            let _ = self.wheels[axis].turn(*counts, now);
+            self.world.record_note(Note::Cleared, &fault.to_string());
+            return;
+        }
         if fault.kind.is_on_wire() {
             self.world.wire.spoil(id, &fault.kind, now);
         }
@@ -482,6 +489,7 @@ impl VirtualDevice {
                 Kind::BrownOut => effects.dark = effects.dark.or(Some(Flash::Finishes)),
                 Kind::PowerCut => effects.dark = effects.dark.or(Some(Flash::Tears)),
                 Kind::Slip { .. }
+                | Kind::HandWheel { .. }
                 | Kind::Noise { .. }
                 | Kind::Loss { .. }
                 | Kind::Duplication { .. }

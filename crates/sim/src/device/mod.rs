@@ -130,7 +130,7 @@ impl VirtualDevice {
             movements: Vec::new(),
             notices: VecDeque::new(),
             tapes: Vec::new(),
-            faults: Faults::none(&Parts { model: config.model, axes, pins }),
+            faults: Faults::none(&Parts::of_controller(config.model, &*controller)),
             loads,
             is_powered: true,
             executed: 0,

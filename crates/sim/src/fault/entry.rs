@@ -48,6 +48,9 @@ pub struct Entry {
     /// Pulses.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pulses: Option<u64>,
+    /// Counts of a hand wheel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub counts: Option<i64>,
     /// Parts of the pull-out torque at full current.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<f64>,
@@ -83,6 +86,7 @@ impl Entry {
             ("axis", self.axis.clone()),
             ("encoder", text(&self.encoder)),
             ("pulses", text(&self.pulses)),
+            ("counts", text(&self.counts)),
             ("load", text(&self.load)),
             ("volts", text(&self.volts)),
             ("port", self.port.map(|port| port.name().into())),
@@ -99,6 +103,7 @@ impl Entry {
     pub(super) fn check_ranges(&self) -> Result<(), Wrong> {
         let number = |key: &str| match key {
             "pulses" => self.pulses.map(|pulses| pulses as f64),
+            "counts" => self.counts.map(|counts| counts as f64),
             "load" => self.load,
             "volts" => self.volts,
             "ms" => self.ms.map(f64::from),
@@ -152,6 +157,7 @@ impl From<&Fault> for Entry {
             Kind::BouncingSwitch { pin, ms } => Self { pin: Some(pin), ms: Some(ms), ..entry },
             Kind::BrokenEncoder { axis, encoder } => Self { axis: Some(axis), encoder, ..entry },
             Kind::Slip { axis, pulses } => Self { axis: Some(axis), pulses: Some(pulses), ..entry },
+            Kind::HandWheel { axis, counts } => Self { axis: Some(axis), counts: Some(counts), ..entry },
             Kind::ExtraLoad { axis, load } => Self { axis: Some(axis), load: Some(load), ..entry },
             Kind::SupplyDip { volts } => Self { volts: Some(volts), ..entry },
             Kind::BrownOut | Kind::PowerCut => entry,

@@ -3,7 +3,7 @@
 use super::{Entry, Parts, Wrong};
 use crate::{
     config::MAX_PULSES,
-    device::{PinValue, level_for},
+    device::{MAX_COUNTS, PinValue, level_for},
     machine::MAX_BOUNCE_MS,
     tape::PortName,
 };
@@ -46,6 +46,13 @@ pub enum Kind {
         axis: String,
         /// So many of them.
         pulses: u64,
+    },
+    /// The hand wheel at the MPG input of an axis is turned.
+    HandWheel {
+        /// The axis.
+        axis: String,
+        /// By so many edges of its phases, after those that are still to come.
+        counts: i64,
     },
     /// An axis is loaded more.
     ExtraLoad {
@@ -187,6 +194,15 @@ pub const KINDS: &[KindRow] = &[
         text: "The motor does not follow its next `pulses` pulses.",
         test: "slips",
         make: |entry| Kind::Slip { axis: text(&entry.axis), pulses: number(entry.pulses) },
+    },
+    KindRow {
+        name: "hand_wheel",
+        needs: &["axis", "counts"],
+        may: &[],
+        lasts: false,
+        text: "The hand wheel at the axis' MPG input is turned by `counts`, edges of both its phases, up or down.",
+        test: "hand_wheels",
+        make: |entry| Kind::HandWheel { axis: text(&entry.axis), counts: number(entry.counts) },
     },
     KindRow {
         name: "extra_load",
@@ -339,6 +355,11 @@ impl Kind {
             Self::Slip { axis, .. } | Self::ExtraLoad { axis, .. } => {
                 parts.axis(axis)?;
             }
+            Self::HandWheel { axis: name, .. } => {
+                if !parts.has_pulser(parts.axis(name)?) {
+                    return Err(Wrong::new("axis", format!("axis `{name}` has no MPG input")));
+                }
+            }
             Self::SupplyDip { .. } => {
                 if !parts.pins.iter().any(|pin| pin.wiring == Wiring::Supply) {
                     let problem = format!("a {} has no pin that measures its supply", parts.model.name);
@@ -363,6 +384,7 @@ impl Kind {
             Self::BouncingSwitch { .. } => "bouncing_switch",
             Self::BrokenEncoder { .. } => "broken_encoder",
             Self::Slip { .. } => "slip",
+            Self::HandWheel { .. } => "hand_wheel",
             Self::ExtraLoad { .. } => "extra_load",
             Self::SupplyDip { .. } => "supply_dip",
             Self::BrownOut => "brown_out",
@@ -400,6 +422,7 @@ fn input(parts: &Parts, name: &str) -> Result<usize, Wrong> {
 /// The ranges of numbers, by key.
 pub(super) const RANGES: &[(&str, f64, f64, &str)] = &[
     ("pulses", 1.0, MAX_PULSES as f64, "pulses"),
+    ("counts", -(MAX_COUNTS as f64), MAX_COUNTS as f64, "counts"),
     ("load", 0.0, 1000.0, "of the pull-out torque"),
     ("volts", 0.0, 1000.0, "V"),
     ("ms", 1.0, MAX_MS as f64, "ms"),

@@ -23,7 +23,7 @@ pub use scenario::Scenario;
 pub use trigger::{Place, TRIGGERS, Trigger, TriggerRow};
 
 use crate::{config::DeviceConfig, flash::SharedFlash, machine::fitting::fitting};
-use devices::{Language, Model, Pin};
+use devices::{Controller, Language, Model, Pin};
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -125,14 +125,29 @@ pub(crate) struct Parts {
     pub model: &'static Model,
     pub axes: &'static [&'static str],
     pub pins: &'static [Pin],
+    /// The axes with an input for a hand wheel, as bits.
+    pulsers: u64,
 }
 
 impl Parts {
-    /// Those of a model. Only a controller knows them.
+    /// Those of a device to be. Only a controller knows them.
     pub fn of(config: &DeviceConfig) -> Self {
         let model = config.model;
         let controller = (model.build)(Box::new(SharedFlash::erased(model.flash_bytes)), 0);
-        Self { model, axes: controller.axes(), pins: controller.pins() }
+        Self::of_controller(model, &*controller)
+    }
+
+    /// Those of a controller.
+    pub fn of_controller(model: &'static Model, controller: &dyn Controller) -> Self {
+        let axes = controller.axes();
+        let with_pulser = (0..axes.len()).filter(|axis| controller.has_pulser(*axis));
+        let pulsers = with_pulser.fold(0, |bits, axis| bits | 1 << axis);
+        Self { model, axes, pins: controller.pins(), pulsers }
+    }
+
+    /// Whether an axis has an input for a hand wheel.
+    pub fn has_pulser(&self, axis: usize) -> bool {
+        self.pulsers >> axis & 1 != 0
     }
 
     /// The number of an axis.

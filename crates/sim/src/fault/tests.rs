@@ -88,6 +88,12 @@ fn every_kind_can_be_said() {
     let fault = Fault { kind: Kind::SupplyDip { volts: 8.0 }, duration_s: None };
     let planned = Planned { trigger: Trigger::At(1.5), after_s: 0.5, fault };
     assert_eq!(dip.unwrap().faults, [(0, planned)]);
+    let bench = Bench::parse("[[device]]\nmodel = \"cmd-4cr\"\n", "bench.toml").unwrap();
+    let text = "[[fault]]\nkind = 'hand_wheel'\naxis = 'Z'\ncounts = -40\n";
+    let wheel = Scenario::parse(text, "day.toml", &bench.devices, &scenario::no_source).unwrap();
+    let kind = Kind::HandWheel { axis: "Z".into(), counts: -40 };
+    assert_eq!(wheel.of(0).next().unwrap().fault, Fault { kind, duration_s: None });
+    assert_eq!(Entry::from(wheel.of(0).next().unwrap()).counts, Some(-40));
 }
 
 #[test]
@@ -133,6 +139,11 @@ fn faults_that_cannot_be() {
     check_error(
         "kind = 'broken_encoder'\naxis = 'X'\nencoder = 1",
         "5: fault.encoder: the axis has 1 of them, from 0",
+    );
+    check_error("kind = 'hand_wheel'\ncounts = 1\naxis = 'X'", "5: fault.axis: axis `X` has no MPG input");
+    check_error(
+        "kind = 'hand_wheel'\naxis = 'X'\ncounts = 2147483649",
+        "5: fault.counts: 2147483649 is outside -2147483648 to 2147483648 counts",
     );
     let output = "`DO1` is an output, only the controller drives it";
     check_error("kind = 'stuck_switch'\npin = 'DO1'", &format!("4: fault.pin: {output}"));
@@ -227,9 +238,15 @@ fn looks_are_evenly_spaced() {
 #[test]
 fn each_kind_has_its_tests() {
     let tests = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
-    for file in ["pd42/faults.rs", "ascii/faults.rs"] {
+    for file in ["pd42/faults.rs", "ascii/faults.rs", "cmd4cr/following.rs"] {
         let text = std::fs::read_to_string(tests.join(file)).unwrap();
-        for row in KINDS.iter().filter(|row| row.name != "supply_dip" || file.starts_with("pd42")) {
+        // Not every controller has what these are at.
+        let is_here = |row: &&KindRow| match row.name {
+            "supply_dip" => file.starts_with("pd42"),
+            "hand_wheel" => file.starts_with("cmd4cr"),
+            _ => !file.starts_with("cmd4cr"),
+        };
+        for row in KINDS.iter().filter(is_here) {
             assert!(text.contains(&format!("#[test]\nfn {}() {{", row.test)), "{}: {}", file, row.test);
         }
     }

@@ -108,6 +108,7 @@ const FAULTS: &[&str] = &[
     r#"{"kind":"bouncing_switch","pin":"HX","ms":7}"#,
     r#"{"kind":"broken_encoder","axis":"AXIS","on":{"axis":"AXIS","motion":"starts"},"duration":0.2}"#,
     r#"{"kind":"slip","axis":"AXIS","pulses":35,"on":{"axis":"AXIS","position":222}}"#,
+    r#"{"kind":"hand_wheel","axis":"AXIS","counts":-40,"on":{"axis":"AXIS","motion":"stops"}}"#,
     r#"{"kind":"extra_load","axis":"AXIS","load":0.6,"on":{"axis":"AXIS","motion":"stops"},"duration":0.05}"#,
     r#"{"kind":"supply_dip","volts":8,"at":0.01,"duration":0.02}"#,
     r#"{"kind":"brown_out","on":{"message":3},"after":0.0005,"duration":0.02}"#,

@@ -3,6 +3,7 @@
 use crate::ascii::joystick::{speed, with_joystick};
 use crate::controller::AXES;
 use crate::rig::Rig;
+use sim::{Scenario, fault::scenario::no_source};
 
 #[test]
 fn joysticks_of_some_axes() {
@@ -41,6 +42,28 @@ fn the_joysticks_voltages() {
 fn turn(rig: &mut Rig, axis: &str, counts: i64) {
     rig.device.pulser(axis, counts).expect("an MPG input");
     rig.pass_ms(3000);
+}
+
+/// What a scenario turns the axis follows, as what a hand turns.
+#[test]
+fn hand_wheels() {
+    let mut rig = Rig::new();
+    rig.ok("HSPD=20000 MPEX=1");
+    let fault = |text: &str| {
+        let devices = [rig.device.config().clone()];
+        let scenario = Scenario::parse(&format!("[[fault]]\n{text}"), "test", &devices, &no_source);
+        scenario.unwrap_or_else(|error| panic!("{error}")).faults[0].1.clone()
+    };
+    let first = fault("kind = 'hand_wheel'\naxis = 'X'\ncounts = 100\nat = 0.5");
+    let back = fault("kind = 'hand_wheel'\naxis = 'X'\ncounts = -30\non = { axis = 'X', position = 80 }");
+    rig.device.plan(&first).unwrap();
+    rig.device.plan(&back).unwrap();
+    rig.pass_ms(499);
+    rig.check("PX", "0");
+    rig.pass_ms(3000);
+    rig.check("PX", "70");
+    assert_eq!(rig.shaft("X"), 70);
+    assert!(rig.device.faults().is_empty(), "it is a moment, not a state");
 }
 
 #[test]
