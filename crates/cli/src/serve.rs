@@ -20,7 +20,7 @@ pub fn serve(args: ServeArgs) -> Outcome {
     let http = if args.no_http {
         None
     } else {
-        Some(HttpSettings { address: args.http, token: token()?, tls, is_insecure: args.insecure })
+        Some(HttpSettings { tls, is_insecure: args.insecure, ..HttpSettings::new(args.http, token()?) })
     };
     let mut devices = match &args.bench {
         Some(file) => Bench::read(file)?.devices,

@@ -217,6 +217,32 @@ fn the_token_can_be_set_and_is_otherwise_new() {
     assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: PULSETRAIN_TOKEN: "));
 }
 
+/// The certificate and key of the server's own tests.
+const CERTIFICATE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../server/tests/tls/certificate.pem");
+const KEY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../server/tests/tls/key.pem");
+
+#[test]
+fn with_a_certificate_there_is_no_answer_without_tls() {
+    let directory = directory(&[]);
+    for address in ["0.0.0.0", "127.0.0.1"] {
+        let http = format!("{address}:0");
+        let flags = [TCP, "--http", &http, "--tls-cert", CERTIFICATE, "--tls-key", KEY];
+        let serve = Serve::start(&directory, &flags, 2);
+        let port = serve.ready[1].1.strip_prefix(&format!("https://{address}:")).expect("it says https");
+        let port: u16 = port.split('/').next().unwrap().parse().unwrap();
+        let mut stream = TcpStream::connect(("127.0.0.1", port)).unwrap();
+        stream.set_read_timeout(Some(PATIENCE)).unwrap();
+        stream.write_all(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n").unwrap();
+        let mut alert = Vec::new();
+        let _ = stream.read_to_end(&mut alert);
+        // A record of TLS that says what is wrong.
+        assert_eq!(alert.first(), Some(&0x15));
+    }
+    let serve = Serve::start(&directory, &[TCP, "--http", "0.0.0.0:0", "--insecure"], 2);
+    let url = serve.ready[1].1.replace("0.0.0.0", "127.0.0.1");
+    assert_eq!(http(&url, "GET", "/api/devices", url.split("token=").nth(1), "").0, 200);
+}
+
 #[test]
 fn settings_survive_a_restart_and_a_kill() {
     let directory = directory(&[]);
@@ -284,6 +310,12 @@ fn wrong_arguments_are_refused_in_one_line() {
     check(&["--speed", "fast", TCP], "a speed is a number from 0.001 to 1000");
     check(&["--http", "127.0.0.1:0", "--no-http", TCP], "cannot be used with");
     check(&["--http", "nowhere", TCP], "http nowhere: ");
+    check(&["--http", "0.0.0.0:0", TCP], "http 0.0.0.0:0: ");
+    check(&["--tls-cert", CERTIFICATE, TCP], "--tls-key <FILE>");
+    check(&["--tls-key", KEY, TCP], "--tls-cert <FILE>");
+    check(&["--tls-cert", CERTIFICATE, "--tls-key", KEY, "--insecure", TCP], "cannot be used with");
+    check(&["--tls-cert", "none.pem", "--tls-key", KEY, TCP], "none.pem: ");
+    check(&["--tls-cert", CERTIFICATE, "--tls-key", "file", TCP], "file: ");
     check(&["--bench", "none.toml"], "none.toml: No such file");
     check(&["--bench", "syntax.toml"], "syntax.toml:1: ");
     check(&["--bench", "key.toml"], "key.toml:3: device.speed: ");

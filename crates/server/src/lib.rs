@@ -27,7 +27,7 @@ mod worker;
 
 pub use clock::SPEEDS;
 pub use desk::typescript;
-pub use http::{HttpSettings, Tls, Token};
+pub use http::{HttpSettings, Patience, Tls, Token};
 pub use signals::Signals;
 
 use desk::{Desk, Seat};

@@ -1,10 +1,10 @@
 //! A connection: it counts, and a client that takes nothing of what it is sent loses it.
 
-use super::limits::SEND_TIMEOUT;
 use std::{
     io,
     pin::Pin,
     task::{Context, Poll},
+    time::Duration,
 };
 use tokio::{
     io::{AsyncRead, AsyncWrite, ReadBuf},
@@ -16,14 +16,16 @@ use tokio::{
 /// A connection of a client.
 pub struct Connection {
     stream: TcpStream,
+    /// For how long the client may take nothing.
+    patience: Duration,
     /// Runs while the client takes nothing.
     stalled: Option<Pin<Box<Sleep>>>,
     _permit: OwnedSemaphorePermit,
 }
 
 impl Connection {
-    pub fn new(stream: TcpStream, permit: OwnedSemaphorePermit) -> Self {
-        Self { stream, stalled: None, _permit: permit }
+    pub fn new(stream: TcpStream, patience: Duration, permit: OwnedSemaphorePermit) -> Self {
+        Self { stream, patience, stalled: None, _permit: permit }
     }
 }
 
@@ -43,7 +45,8 @@ impl AsyncWrite for Connection {
             self.stalled = None;
             return Poll::Ready(written);
         }
-        let stalled = self.stalled.get_or_insert_with(|| Box::pin(sleep(SEND_TIMEOUT)));
+        let patience = self.patience;
+        let stalled = self.stalled.get_or_insert_with(|| Box::pin(sleep(patience)));
         stalled.as_mut().poll(cx).map(|()| Err(io::ErrorKind::TimedOut.into()))
     }
 

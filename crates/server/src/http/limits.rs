@@ -40,23 +40,34 @@ pub const MAX_BODY_BYTES: usize = 4096;
 /// Most bytes of any body; routes with files may have more than [`MAX_BODY_BYTES`], but not more than this.
 const MAX_ANY_BODY_BYTES: usize = 8 << 20;
 
-/// How long a body may take to come.
-const BODY_TIMEOUT: Duration = Duration::from_secs(30);
-
-/// How long the head of a request may take to come, and how long a connection may be without one.
-pub const HEAD_TIMEOUT: Duration = Duration::from_secs(60);
-
 /// Most bytes of the head of a request.
 pub const MAX_HEAD_BYTES: usize = 16 << 10;
 
 /// Most lines of the head of a request.
 pub const MAX_HEADERS: usize = 64;
 
-/// How long a client may take nothing of what it is sent.
+/// How long a client may take nothing of what it is sent, unless somebody has [other patience](Patience::send).
 pub const SEND_TIMEOUT: Duration = Duration::from_secs(30);
 
-/// How long TLS may take to begin.
-pub const HANDSHAKE_TIMEOUT: Duration = Duration::from_secs(10);
+/// How long clients may take over something before they lose their connection, or are told so.
+#[derive(Clone, Copy, Debug)]
+pub struct Patience {
+    /// For TLS to begin.
+    pub handshake: Duration,
+    /// For the head of a request to come, and for how long a connection may be without one.
+    pub head: Duration,
+    /// For the body of a request to come.
+    pub body: Duration,
+    /// For taking anything of what they are sent.
+    pub send: Duration,
+}
+
+impl Default for Patience {
+    fn default() -> Self {
+        let seconds = Duration::from_secs;
+        Self { handshake: seconds(10), head: seconds(60), body: seconds(30), send: SEND_TIMEOUT }
+    }
+}
 
 /// The other end of a connection.
 #[derive(Clone, Copy, Debug)]
@@ -172,9 +183,13 @@ fn stops(uri: &Uri) -> bool {
 }
 
 /// Waits for the whole body, but not for ever.
-pub async fn body(request: Request, next: Next) -> Result<Response, Failure> {
+pub async fn body(
+    State(patience): State<Duration>,
+    request: Request,
+    next: Next,
+) -> Result<Response, Failure> {
     let (parts, body) = request.into_parts();
-    let bytes = match tokio::time::timeout(BODY_TIMEOUT, to_bytes(body, MAX_ANY_BODY_BYTES)).await {
+    let bytes = match tokio::time::timeout(patience, to_bytes(body, MAX_ANY_BODY_BYTES)).await {
         Ok(Ok(bytes)) => bytes,
         Ok(Err(_)) => {
             return Err(Failure::new(

@@ -18,6 +18,7 @@ mod view;
 
 pub use guard::Token;
 pub(crate) use lease::{Lease, LeaseGrant, LeaseRequest, key as lease};
+pub use limits::Patience;
 pub(crate) use request::{Answer, Body, Place, Problem, Shared, at, json, unprocessable};
 pub(crate) use serve::Http;
 pub use serve::HttpSettings;

@@ -4,10 +4,7 @@ use super::{
     Site, Tls, Token, api,
     connection::Connection,
     guard,
-    limits::{
-        self, Client, HANDSHAKE_TIMEOUT, HEAD_TIMEOUT, MAX_BODY_BYTES, MAX_CONNECTIONS, MAX_HEAD_BYTES,
-        MAX_HEADERS,
-    },
+    limits::{self, Client, MAX_BODY_BYTES, MAX_CONNECTIONS, MAX_HEAD_BYTES, MAX_HEADERS, Patience},
     page,
 };
 use crate::{Error, desk::Desk};
@@ -39,12 +36,15 @@ pub struct HttpSettings {
     pub tls: Option<Tls>,
     /// Whether other machines may connect without TLS.
     pub is_insecure: bool,
+    /// How long clients may take.
+    pub patience: Patience,
 }
 
 impl HttpSettings {
     /// Without TLS, for this machine only.
     pub fn new(address: impl Into<String>, token: Token) -> Self {
-        Self { address: address.into(), token, tls: None, is_insecure: false }
+        let patience = Patience::default();
+        Self { address: address.into(), token, tls: None, is_insecure: false, patience }
     }
 }
 
@@ -54,12 +54,13 @@ pub(crate) struct Http {
     address: SocketAddr,
     token: Token,
     tls: Option<TlsAcceptor>,
+    patience: Patience,
 }
 
 impl Http {
     /// Listens. Others than this machine can only connect if TLS protects the token, or the user wants it so.
     pub fn bind(settings: HttpSettings) -> Result<Self, Error> {
-        let HttpSettings { address, token, tls, is_insecure } = settings;
+        let HttpSettings { address, token, tls, is_insecure, patience } = settings;
         let failed = |source| Error::Listen { endpoint: format!("http {address}"), source };
         let tls = tls.map(|tls| tls.acceptor()).transpose()?;
         let listener = std::net::TcpListener::bind(&address).map_err(failed)?;
@@ -68,7 +69,7 @@ impl Http {
         if !bound.ip().is_loopback() && tls.is_none() && !is_insecure {
             return Err(Error::Exposed(address));
         }
-        Ok(Self { listener, address: bound, token, tls })
+        Ok(Self { listener, address: bound, token, tls, patience })
     }
 
     /// The page's address, with the token.
@@ -79,11 +80,11 @@ impl Http {
 
     /// Serves until the future is dropped.
     pub async fn serve(self, desk: Arc<Desk>) -> io::Result<Infallible> {
-        let Self { listener, address, token, tls } = self;
+        let Self { listener, address, token, tls, patience } = self;
         let listener = TcpListener::from_std(listener)?;
         let permits = Arc::new(Semaphore::new(MAX_CONNECTIONS));
         let site = Site { address, token, control: Default::default(), limits: Default::default(), desk };
-        let routes = routes(Arc::new(site));
+        let routes = routes(Arc::new(site), patience);
         loop {
             let permit = Arc::clone(&permits).acquire_owned().await.expect("the semaphore is never closed");
             let (stream, peer) = loop {
@@ -93,14 +94,14 @@ impl Http {
                 }
             };
             let _ = stream.set_nodelay(true);
-            let (client, connection) = (Client(peer.ip()), Connection::new(stream, permit));
+            let (client, connection) = (Client(peer.ip()), Connection::new(stream, patience.send, permit));
             let (tls, routes) = (tls.clone(), routes.clone());
             tokio::spawn(async move {
                 match tls {
-                    None => answer(connection, client, routes).await,
+                    None => answer(connection, client, routes, patience.head).await,
                     Some(tls) => {
-                        if let Ok(Ok(stream)) = timeout(HANDSHAKE_TIMEOUT, tls.accept(connection)).await {
-                            answer(stream, client, routes).await;
+                        if let Ok(Ok(stream)) = timeout(patience.handshake, tls.accept(connection)).await {
+                            answer(stream, client, routes, patience.head).await;
                         }
                     }
                 }
@@ -114,6 +115,7 @@ async fn answer(
     stream: impl AsyncRead + AsyncWrite + Unpin + Send + 'static,
     client: Client,
     routes: Router,
+    patience: Duration,
 ) {
     let routes = TowerToHyperService::new(routes);
     let service = service_fn(move |mut request: Request<Incoming>| {
@@ -122,7 +124,7 @@ async fn answer(
     });
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
-        .header_read_timeout(HEAD_TIMEOUT)
+        .header_read_timeout(patience)
         .max_buf_size(MAX_HEAD_BYTES)
         .max_headers(MAX_HEADERS)
         .serve_connection(TokioIo::new(stream), service)
@@ -132,12 +134,12 @@ async fn answer(
 }
 
 /// What is served, behind all that a request has to pass, from the bottom up.
-fn routes(site: Arc<Site>) -> Router {
+fn routes(site: Arc<Site>, patience: Patience) -> Router {
     api::routes(&site)
         .fallback(api::nowhere)
         .method_not_allowed_fallback(api::no_method)
         .layer(DefaultBodyLimit::max(MAX_BODY_BYTES))
-        .layer(middleware::from_fn(limits::body))
+        .layer(middleware::from_fn_with_state(patience.body, limits::body))
         .layer(middleware::from_fn_with_state(Arc::clone(&site.limits), limits::changes))
         .layer(middleware::from_fn_with_state(Arc::clone(&site), guard::token))
         .layer(middleware::from_fn(page::serve))

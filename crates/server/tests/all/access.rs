@@ -252,11 +252,11 @@ fn heads_and_bodies_are_limited() {
     server.stop().unwrap();
 }
 
-fn with_http(http: HttpSettings) -> Result<Server, server::Error> {
+pub fn with_http(http: HttpSettings) -> Result<Server, server::Error> {
     Server::start(Settings { http: Some(http), ..crate::common::settings(vec![device("a", &[])]) })
 }
 
-fn token() -> Token {
+pub fn token() -> Token {
     Token::chosen(TOKEN).unwrap()
 }
 
@@ -271,7 +271,7 @@ fn other_machines_need_tls_or_the_users_word() {
     server.stop().unwrap();
 }
 
-fn tls() -> Tls {
+pub fn tls() -> Tls {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/tls");
     Tls { certificate: folder.join("certificate.pem"), key: folder.join("key.pem") }
 }

@@ -10,5 +10,6 @@ mod hid;
 mod host;
 mod http;
 mod openapi;
+mod patience;
 mod performax;
 mod state;
