@@ -14,7 +14,13 @@ use hyper_util::{
     rt::{TokioIo, TokioTimer},
     service::TowerToHyperService,
 };
-use std::{convert::Infallible, io, net::SocketAddr, sync::Arc, time::Duration};
+use std::{
+    convert::Infallible,
+    io,
+    net::{SocketAddr, ToSocketAddrs},
+    sync::Arc,
+    time::Duration,
+};
 use tokio::{
     io::{AsyncRead, AsyncWrite},
     net::TcpListener,
@@ -63,12 +69,14 @@ impl Http {
         let HttpSettings { address, token, tls, is_insecure, patience } = settings;
         let failed = |source| Error::Listen { endpoint: format!("http {address}"), source };
         let tls = tls.map(|tls| tls.acceptor()).transpose()?;
-        let listener = std::net::TcpListener::bind(&address).map_err(failed)?;
-        listener.set_nonblocking(true).map_err(failed)?;
-        let bound = listener.local_addr().map_err(failed)?;
-        if !bound.ip().is_loopback() && tls.is_none() && !is_insecure {
+        let places: Vec<SocketAddr> = address.to_socket_addrs().map_err(failed)?.collect();
+        // Before anybody can connect.
+        if tls.is_none() && !is_insecure && !places.iter().all(|place| place.ip().is_loopback()) {
             return Err(Error::Exposed(address));
         }
+        let listener = std::net::TcpListener::bind(&places[..]).map_err(failed)?;
+        listener.set_nonblocking(true).map_err(failed)?;
+        let bound = listener.local_addr().map_err(failed)?;
         Ok(Self { listener, address: bound, token, tls, patience })
     }
 
