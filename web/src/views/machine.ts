@@ -224,10 +224,13 @@ class MachineView extends Tab {
   #switch(name: string, axis: MachineAxis, role: SwitchRole, scale: Lane) {
     const own = mount(axis, role);
     if (own === null || !this.#pin(name, role)) return nothing;
-    const x = scale.x(this.#dragged(name, role) ?? own);
+    const dragged = this.#dragged(name, role);
+    const x = scale.x(dragged ?? own);
+    // One that is held to the carriage is not where it is mounted.
+    const place = this.mounting ? Math.round(dragged ?? own) : dragged === null ? own : null;
     return this.#body(name, role, `translate(${x} ${RAIL + 24})`, (event) => scale.pulse(this.#pointerX(event)), svg`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${LABELS[role]}</text>`, svg`<text y="24">${count(this.mounting ? Math.round(this.#dragged(name, role) ?? own) : own)}</text>`);
+      <text y="4">${LABELS[role]}</text>`, place === null ? nothing : svg`<text y="24">${count(place)}</text>`);
   }
 
   #roundSwitch(name: string, axis: MachineAxis, role: SwitchRole) {

@@ -1,4 +1,4 @@
-import{S as e,b as t,p as n,u as r,w as i,x as a}from"./index-4b_adNrG.js";var o=class{#e;#t;#n;#r=null;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}begin(e){let[t,n]=[this.#t.name,this.#n],i=r(()=>this.#e.act(t,{do:`jog`,axis:n,direction:e,held:!0}));this.#r=i.finally(()=>{this.#r=null}),this.#t.hold(n)}end(){let[e,t]=[this.#t.name,this.#n],n=()=>r(()=>this.#e.act(e,{do:`stop`,axis:t}).catch(()=>this.#e.stop(e))),i=this.#r;this.#t.letGo(t),n(),i&&i.then(n)}},s=i`
+import{S as e,b as t,p as n,u as r,w as i,x as a}from"./index-Qc_W3yad.js";var o=class{#e;#t;#n;#r=null;constructor(e,t,n){this.#e=e,this.#t=t,this.#n=n}begin(e){let[t,n]=[this.#t.name,this.#n],i=r(()=>this.#e.act(t,{do:`jog`,axis:n,direction:e,held:!0}));this.#r=i.finally(()=>{this.#r=null}),this.#t.hold(n)}end(){let[e,t]=[this.#t.name,this.#n],n=()=>r(()=>this.#e.act(e,{do:`stop`,axis:t}).catch(()=>this.#e.stop(e))),i=this.#r;this.#t.letGo(t),n(),i&&i.then(n)}},s=i`
   .lamp {
     display: inline-flex;
     align-items: center;

@@ -1,4 +1,4 @@
-import{C as e,S as t,a as n,d as r,h as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,w as f,x as p}from"./index-4b_adNrG.js";import{t as m}from"./tab-Bfq0P7MO.js";import{t as h}from"./axis-picker-BrjRpwr3.js";var g=1e3,_=[`pin`,`axis`,`port`,`way`,`bytes`],v={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},y=class extends m{static properties={...m.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,f`
+import{C as e,S as t,a as n,d as r,h as i,l as a,m as o,o as s,p as c,r as l,s as u,u as d,w as f,x as p}from"./index-Qc_W3yad.js";import{t as m}from"./tab-lKZc--Iv.js";import{t as h}from"./axis-picker-BWtEly2K.js";var g=1e3,_=[`pin`,`axis`,`port`,`way`,`bytes`],v={ms:`ms`,volts:`V`,at:`s`,duration:`s`,pulses:`pulses`,load:`of pull-out torque`,rate:`0 to 1`},y=class extends m{static properties={...m.properties,faults:{state:!0},kinds:{state:!0},kind:{state:!0},problem:{state:!0}};#e=0;static styles=[c,f`
       .fields {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(110px, 1fr));
@@ -276,9 +276,9 @@ import{C as e,S as t,a as n,d as r,h as i,l as a,m as o,o as s,p as c,r as l,s a
         ${X.map(e=>this.#p(n,r,e))}
         <text x=${92} y="4">${l(r.circumference)} a turn</text>
       </svg>
-    `}#f(t,n,r,i){let a=R(n,r);if(a===null||!this.#_(t,r))return p;let o=i.x(this.#g(t,r)??a);return this.#m(t,r,`translate(${o} 62)`,e=>i.pulse(this.#h(e)),e`
+    `}#f(t,n,r,i){let a=R(n,r);if(a===null||!this.#_(t,r))return p;let o=this.#g(t,r),s=i.x(o??a),c=this.mounting?Math.round(o??a):o===null?a:null;return this.#m(t,r,`translate(${s} 62)`,e=>i.pulse(this.#h(e)),e`
       <path class="body" d="M 0 -20 L 5 -12 L 15 -12 L 15 10 L -15 10 L -15 -12 L -5 -12 Z" />
-      <text y="4">${Z[r]}</text>`,e`<text y="24">${l(this.mounting?Math.round(this.#g(t,r)??a):a)}</text>`)}#p(t,n,r){let i=R(n,r);if(i===null||!this.#_(t,r))return p;let a=I(n,this.#g(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#m(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},e`<circle class="body" r="12" /><text y="4">${Z[r]}</text>`,p)}#m(t,n,r,i,a,o){let s=this.#v(t,n),c=e=>{this.mounting?e.type===`keydown`&&this.#C(e,t,n):(e.key===` `||e.key===`Enter`)&&(e.preventDefault(),e.repeat||(e.type===`keydown`?this.#x(t,n):this.#S()))};return e`
+      <text y="4">${Z[r]}</text>`,c===null?p:e`<text y="24">${l(c)}</text>`)}#p(t,n,r){let i=R(n,r);if(i===null||!this.#_(t,r))return p;let a=I(n,this.#g(t,r)??i)*2*Math.PI,o=`translate(${Math.sin(a)*66} ${-Math.cos(a)*66})`;return this.#m(t,r,o,e=>{let t=e.currentTarget.ownerSVGElement.getBoundingClientRect();return Math.atan2(e.clientX-t.x-t.width/2,-(e.clientY-t.y-t.height/2))/(2*Math.PI)*n.circumference},e`<circle class="body" r="12" /><text y="4">${Z[r]}</text>`,p)}#m(t,n,r,i,a,o){let s=this.#v(t,n),c=e=>{this.mounting?e.type===`keydown`&&this.#C(e,t,n):(e.key===` `||e.key===`Enter`)&&(e.preventDefault(),e.repeat||(e.type===`keydown`?this.#x(t,n):this.#S()))};return e`
       <g class="switch ${s?`on`:``} ${n===`home`?``:`limit`}" transform=${r} tabindex="0" role="button"
         aria-label="${n} switch of ${t}, ${s?`on`:`off`}" aria-pressed=${s?`true`:`false`}
         @pointerdown=${e=>this.#y(e,t,n,i(e))}

@@ -1,4 +1,4 @@
-import{S as e,x as t}from"./index-4b_adNrG.js";function n(n,r,i,a){return n.length<2?t:e`
+import{S as e,x as t}from"./index-Qc_W3yad.js";function n(n,r,i,a){return n.length<2?t:e`
     <div class="row" role="radiogroup" aria-label="Axis">
       ${n.map(t=>e`
           <label class="line">

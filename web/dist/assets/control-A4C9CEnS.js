@@ -1,4 +1,4 @@
-import{S as e,a as t,d as n,h as r,i,n as a,o,p as s,r as c,t as l,u,w as d,x as f}from"./index-4b_adNrG.js";import{n as p,r as m,t as h}from"./hold-Cip4lVdF.js";import{t as g}from"./tab-Bfq0P7MO.js";import"./curves-W9uGSgaX.js";import{t as _}from"./axis-picker-BrjRpwr3.js";var v=class extends g{static properties={...g.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[s,p,d`
+import{S as e,a as t,d as n,h as r,i,n as a,o,p as s,r as c,t as l,u,w as d,x as f}from"./index-Qc_W3yad.js";import{n as p,r as m,t as h}from"./hold-uLSkGs3s.js";import{t as g}from"./tab-lKZc--Iv.js";import"./curves-Czq8Aw4T.js";import{t as _}from"./axis-picker-BWtEly2K.js";var v=class extends g{static properties={...g.properties,axis:{type:String}};watches=[`status`];#e=null;static styles=[s,p,d`
       .panel {
         display: flex;
         flex-direction: column;

@@ -1,1 +1,0 @@
-import{S as e,p as t,w as n}from"./index-4b_adNrG.js";import"./curves-W9uGSgaX.js";import{t as r}from"./tab-Bfq0P7MO.js";var i=class extends r{static styles=[t,n``];render(){return e`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);

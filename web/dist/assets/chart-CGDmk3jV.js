@@ -1,0 +1,1 @@
+import{S as e,p as t,w as n}from"./index-Qc_W3yad.js";import"./curves-Czq8Aw4T.js";import{t as r}from"./tab-lKZc--Iv.js";var i=class extends r{static styles=[t,n``];render(){return e`<pt-curves ${this.given()}></pt-curves>`}};customElements.define(`pt-chart-tab`,i);
