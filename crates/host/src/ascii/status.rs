@@ -54,6 +54,11 @@ impl Way {
         };
         Self { position, is_negative }
     }
+
+    /// Whatever the controller says is a speed.
+    const fn signed(self, speed: i32) -> i32 {
+        if self.is_negative { speed.wrapping_neg() } else { speed }
+    }
 }
 
 /// StepNLoop of an axis: its status and its delta, which is one only while it is on.
@@ -92,12 +97,11 @@ impl Unit {
         for number in rest.turns.take(questions.len(), asked as u32, begin.elapsed()) {
             self.look(&mut rest, questions[number]).await?;
         }
-        let first = |&position: &i32| Way { position, is_negative: false };
-        let before = match rest.ways.len() {
-            0 => positions.iter().map(first).collect(),
-            _ => std::mem::take(&mut rest.ways),
+        let way = |(number, &position): (usize, &i32)| {
+            let first = Way { position, is_negative: false };
+            rest.ways.get(number).map_or(first, |before| before.on(position))
         };
-        rest.ways = before.into_iter().zip(&positions).map(|(way, &position)| way.on(position)).collect();
+        rest.ways = positions.iter().enumerate().map(way).collect();
         let mut status = Status {
             seconds,
             absolute: rest.absolute,
@@ -112,7 +116,7 @@ impl Unit {
             let axis = AxisStatus {
                 position: positions[number],
                 encoder: Some(encoders[number]),
-                speed: if rest.ways[number].is_negative { -speeds[number] } else { speeds[number] },
+                speed: rest.ways[number].signed(speeds[number]),
                 target: self.targets()[number],
                 delta: looked.and_then(|looked| looked.delta),
                 enabled: Some(rest.enables >> number & 1 != 0),
@@ -292,6 +296,7 @@ mod tests {
             way = way.on(position);
             assert_eq!((way.position, way.is_negative), (position, is_negative));
         }
+        assert_eq!([7, 0, i32::MIN].map(|speed| way.signed(speed)), [-7, 0, i32::MIN]);
         // Where the counter wraps.
         assert!(!Way { position: i32::MAX, is_negative: true }.on(i32::MIN).is_negative);
     }

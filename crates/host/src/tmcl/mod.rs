@@ -29,7 +29,7 @@ use tmcl::isa::{Command, opcode};
 /// The address from the factory.
 const DEFAULT_ADDRESS: u8 = 1;
 
-/// The global parameter that is the address, and its bank (TMCL manual, 5.1).
+/// The global parameter that is the address, and its bank (TMCL manual, chapter 5).
 const ADDRESS: (u8, u8) = (66, 0);
 
 /// The number of the module in its version.

@@ -1,9 +1,8 @@
 //! Breakpoints over HTTP, in real time.
 
-use crate::common::{call, connect, device, eventually, serve_http};
+use crate::common::{call, connect, eventually, serve_http, trinamic};
 use protocol::tmcl::{Frame, Reply, Request};
 use serde_json::{Value, json};
-use sim::DeviceConfig;
 use std::{
     io::{Read, Write},
     net::TcpStream,
@@ -39,9 +38,7 @@ const fn control(opcode: u8) -> Command {
 
 #[test]
 fn a_program_is_held_stepped_and_let_go_and_time_stands_meanwhile() {
-    let model = devices::model("pd42-1140").unwrap();
-    let config = DeviceConfig { model, ..device("a", &["tcp:127.0.0.1:0"]) };
-    let (server, address) = serve_http(vec![config]);
+    let (server, address) = serve_http(vec![trinamic("a", &["tcp:127.0.0.1:0"])]);
     let mut stream = connect(&server.ready()[0].1);
     ask(&mut stream, control(ENTER_DOWNLOAD));
     for command in assemble("test.tmc", PROGRAM, &NoFiles).program.unwrap().commands {

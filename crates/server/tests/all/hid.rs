@@ -1,7 +1,8 @@
 //! Reports of USB HID over TCP and Unix sockets, spoken as the vendor's library does.
 
 use crate::common::{
-    PATIENCE, call, check, connect, device, directory, free_address, performax, serve, serve_http,
+    PATIENCE, call, check, commander, connect, device, directory, free_address, performax, serve, serve_http,
+    trinamic,
 };
 use protocol::hid::{ApiError, Exchange, Packet};
 use server::Server;
@@ -106,9 +107,8 @@ fn reports_carry_commands_and_replies() {
 /// As the manual of the CMD-4CR has it (3.1.2).
 #[test]
 fn a_commander() {
-    let model = devices::model("cmd-4cr").unwrap();
-    let commander = |name: &str| sim::DeviceConfig { model, ..device(name, &["hid-tcp:127.0.0.1:0"]) };
-    let (server, address) = serve_http(vec![commander("a"), commander("b")]);
+    let endpoint = "hid-tcp:127.0.0.1:0";
+    let (server, address) = serve_http(vec![commander("a", &[endpoint]), commander("b", &[endpoint])]);
     let [a, b] = [0, 1].map(|index: usize| server.ready()[index].1.clone());
     let mut host = open(&a);
     assert_eq!(host.name, "CMD-4CR-01");
@@ -188,11 +188,10 @@ fn what_a_device_says_by_itself_comes_in_reports_too() {
 fn who_cannot_be_there_is_refused() {
     let address = free_address();
     let endpoint = format!("hid-tcp:{address}");
-    let trinamic = sim::DeviceConfig {
-        listen: vec![endpoint.parse().unwrap()],
-        ..sim::DeviceConfig::new(devices::model("pd42-1140").unwrap())
-    };
-    assert_eq!(refused(vec![trinamic]), format!("{endpoint}: a pd42-1140 is no HID device"));
+    assert_eq!(
+        refused(vec![trinamic("c", &[&endpoint])]),
+        format!("{endpoint}: a pd42-1140 is no HID device")
+    );
     let two = vec![performax("a", &[&endpoint]), performax("b", &[&endpoint])];
     let taken = format!("{endpoint}: `a` is there already, and a HID endpoint has one device");
     assert_eq!(refused(two), taken);

@@ -1,7 +1,7 @@
 //! How long clients may take, and that the others do not wait for them.
 
 use crate::access::{tls, token, with_http};
-use crate::common::{PATIENCE, TOKEN, call};
+use crate::common::{PATIENCE, TOKEN, call, http_address};
 use server::{HttpSettings, Patience, Server};
 use std::{
     io::{ErrorKind, Read, Write},
@@ -19,7 +19,7 @@ const PATIENT: Patience = Patience { handshake: LONG, head: LONG, body: LONG, se
 
 fn serve(settings: HttpSettings) -> (Server, SocketAddr) {
     let server = with_http(settings).unwrap();
-    let address = server.url().unwrap().split('/').nth(2).unwrap().parse().unwrap();
+    let address = http_address(&server);
     (server, address)
 }
 

@@ -376,19 +376,23 @@ impl VirtualDevice {
     fn begin(&mut self, id: u64, fault: Fault) {
         let now = self.now();
         self.world.record_note(Note::Fault, &fault.to_string());
-        if let Kind::Slip { axis, pulses } = &fault.kind {
-            let axis = self.axis_index(axis).expect("the entry was checked");
-            self.world.machine.lose(axis, *pulses);
-            self.world.windows[axis] = None;
-            self.settle();
-            // It is a moment, not a state.
-            self.world.record_note(Note::Cleared, &fault.to_string());
-            return;
-        }
-        if let Kind::HandWheel { axis, counts } = &fault.kind {
-            let axis = self.axis_index(axis).expect("the entry was checked");
-            // One that has more to give than it can keep is not turned on.
-            let _ = self.wheels[axis].turn(*counts, now);
+        let is_moment = match &fault.kind {
+            Kind::Slip { axis, pulses } => {
+                let axis = self.axis_index(axis).expect("the entry was checked");
+                self.world.machine.lose(axis, *pulses);
+                self.world.windows[axis] = None;
+                self.settle();
+                true
+            }
+            Kind::HandWheel { axis, counts } => {
+                let axis = self.axis_index(axis).expect("the entry was checked");
+                // One that has more to give than it can keep is not turned on.
+                let _ = self.wheels[axis].turn(*counts, now);
+                true
+            }
+            _ => false,
+        };
+        if is_moment {
             self.world.record_note(Note::Cleared, &fault.to_string());
             return;
         }

@@ -158,16 +158,23 @@ pub fn device(name: &str, endpoints: &[&str]) -> DeviceConfig {
     DeviceConfig { name: name.into(), listen, ..DeviceConfig::new(&PARROT) }
 }
 
+/// A PD42-1140 with these endpoints.
+pub fn trinamic(name: &str, endpoints: &[&str]) -> DeviceConfig {
+    of_model("pd42-1140", name, endpoints)
+}
+
 /// A PMX-2ED-SA with these endpoints.
 pub fn performax(name: &str, endpoints: &[&str]) -> DeviceConfig {
-    let model = devices::model("pmx-2ed").unwrap();
-    DeviceConfig { model, ..device(name, endpoints) }
+    of_model("pmx-2ed", name, endpoints)
 }
 
 /// A CMD-4CR with these endpoints.
 pub fn commander(name: &str, endpoints: &[&str]) -> DeviceConfig {
-    let model = devices::model("cmd-4cr").unwrap();
-    DeviceConfig { model, ..device(name, endpoints) }
+    of_model("cmd-4cr", name, endpoints)
+}
+
+fn of_model(model: &str, name: &str, endpoints: &[&str]) -> DeviceConfig {
+    DeviceConfig { model: devices::model(model).unwrap(), ..device(name, endpoints) }
 }
 
 /// An address that nobody listens at: port 0 would be an endpoint of its own for each device.
@@ -197,9 +204,13 @@ pub fn serve(devices: Vec<DeviceConfig>) -> Server {
 pub fn serve_http(devices: Vec<DeviceConfig>) -> (Server, SocketAddr) {
     let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(TOKEN).unwrap()));
     let server = Server::start(Settings { http, ..settings(devices) }).unwrap();
-    let url = server.url().unwrap();
-    let address = url.strip_prefix("http://").unwrap().split('/').next().unwrap().parse().unwrap();
+    let address = http_address(&server);
     (server, address)
+}
+
+/// Where a server's HTTP is.
+pub fn http_address(server: &Server) -> SocketAddr {
+    server.url().unwrap().split('/').nth(2).unwrap().parse().unwrap()
 }
 
 /// A connection to a TCP endpoint as [`Server::ready`] names it.

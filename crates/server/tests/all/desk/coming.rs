@@ -1,10 +1,11 @@
 //! Controllers that come and go while the server runs.
 
 use super::Rig;
-use crate::common::{call, check, connect, directory, eventually, free_address, performax, settings};
+use crate::common::{
+    call, check, connect, directory, eventually, free_address, http_address, performax, settings, trinamic,
+};
 use serde_json::{Value, json};
 use server::{HttpSettings, Server, Settings, Token};
-use sim::DeviceConfig;
 
 fn add(rig: &Rig, what: Value) -> (u16, Value) {
     call(rig.address, "POST", "/api/devices", &what.to_string())
@@ -113,8 +114,7 @@ fn what_is_in_flash_is_on_disk() {
         let http = Some(HttpSettings::new("127.0.0.1:0", Token::chosen(crate::common::TOKEN).unwrap()));
         let all = Settings { http, state: Some(state.clone()), ..settings(vec![]) };
         let server = Server::start(all).unwrap();
-        let address = server.url().unwrap().strip_prefix("http://").unwrap().split('/').next().unwrap();
-        Rig { address: address.parse().unwrap(), server }
+        Rig { address: http_address(&server), server }
     };
     let bench = json!({ "bench": "[[device]]\nmodel = \"pmx-2ed\"\nname = \"a\"\n" });
     for (removed, before) in [(true, 0), (false, 77), (false, 77)] {
@@ -175,9 +175,7 @@ fn a_real_one_that_is_given_another_address() {
     let (state, endpoint) = (directory(), format!("tcp:{}", free_address()));
     // With company on the bus it listens to its address alone.
     let machine = || {
-        let module = devices::model("pd42-1140").unwrap();
-        let module = DeviceConfig { model: module, ..performax("a", &[&endpoint]) };
-        let devices = vec![module, performax("b", &[&endpoint])];
+        let devices = vec![trinamic("a", &[&endpoint]), performax("b", &[&endpoint])];
         Server::start(Settings { state: Some(state.clone()), ..settings(devices) }).unwrap()
     };
     let before = machine();

@@ -1,6 +1,6 @@
 //! A controller on a stand: a virtual one in a server, and a host's end of its wire.
 
-use crate::common::{PATIENCE, TOKEN, call, settings};
+use crate::common::{PATIENCE, TOKEN, call, http_address, settings};
 use host::{Action, AxisStatus, Bit, Bus, Controller, Error, Model, Settings, Status, Value};
 use server::{Server, Token};
 use sim::{AxisConfig, DeviceConfig};
@@ -43,8 +43,7 @@ pub fn device(model: Model, limits: [i64; 2]) -> DeviceConfig {
 pub fn serve(devices: Vec<DeviceConfig>) -> (Server, SocketAddr) {
     let http = Some(server::HttpSettings::new("127.0.0.1:0", Token::chosen(TOKEN).unwrap()));
     let server = Server::start(server::Settings { http, speed: SPEED, ..settings(devices) }).unwrap();
-    let url = server.url().unwrap();
-    let address = url.strip_prefix("http://").unwrap().split('/').next().unwrap().parse().unwrap();
+    let address = http_address(&server);
     (server, address)
 }
 
